@@ -1,0 +1,23 @@
+/*
+ * The test grid: lines on the screen sphere every 15 degrees off the dome's axis and round it, as
+ * seen from the eye. Drawn over a view after the scene.
+ */
+#ifndef GRID_H
+#define GRID_H
+
+#include <stddef.h>
+
+#include <cupola/plan.h>
+
+struct grid;
+
+/* NULL with one line in `message`. Runs where a GL context is current, like all here. */
+struct grid *grid_create(char *message, size_t message_size);
+
+/* NULL is allowed. */
+void grid_destroy(struct grid *grid);
+
+/* Inside a view of the plan, after the scene. */
+void grid_draw(struct grid *grid, const cupola_dome *dome, const struct cupola_view *view);
+
+#endif

@@ -1,0 +1,84 @@
+/*
+ * cupola-demo: any model or a built-in scene on a dome, in a window or in a file. Uses Cupola's
+ * public headers only, like any other host.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include <cupola/version.h>
+
+#include "options.h"
+#include "output_file.h"
+#include "show.h"
+#include "still.h"
+#include "window.h"
+#include "world.h"
+
+/* One line, whatever file names may hold. */
+static int complain(int status, char *message)
+{
+    for (char *at = message; *at; at++)
+        if ((unsigned char)*at < 0x20)
+            *at = '?';
+    fprintf(stderr, "cupola-demo: %s\n", message);
+    return status;
+}
+
+static bool check_files(const struct options *options, char *message)
+{
+    if (options->output && !output_file_check("--output", options->output, message))
+        return false;
+    if (options->stats && strcmp(options->stats, "-") != 0 &&
+        !output_file_check("--stats", options->stats, message))
+        return false;
+    return !options->save_rig || output_file_check("--save-rig", options->save_rig, message);
+}
+
+static int run(const struct options *options, const struct show_setup *setup, char *message)
+{
+    bool window_wish = options->fullscreen || options->monitor >= 0 || options->swap_interval >= 0;
+
+    if (!options->headless && !options->output) {
+        int status = window_run(options, setup, message);
+        if (status != WINDOW_NO_DISPLAY || window_wish)
+            return status == WINDOW_NO_DISPLAY ? STATUS_FAILED : status;
+    }
+    return still_run(options, setup, message);
+}
+
+int main(int argc, char **argv)
+{
+    char message[MESSAGE_SIZE] = "";
+    struct options options;
+    struct show_setup setup = {0};
+    int status = options_parse(argc, argv, &options, message);
+
+    if (status != STATUS_OK)
+        return complain(status, message);
+    if (options.help || options.version) {
+        if (options.help)
+            options_print_help();
+        else
+            printf("cupola-demo %s\n", cupola_version());
+    } else {
+        status = world_check_camera(&options, message);
+        if (status == STATUS_OK)
+            status = options_rig(&options, &setup.rig, message);
+        if (status == STATUS_OK && !check_files(&options, message))
+            status = STATUS_FAILED;
+        if (status != STATUS_OK)
+            return complain(status, message);
+        setup.plan = options.plan;
+        setup.table = options.table;
+        setup.mode = options.mode;
+        setup.floats = options.output && options_is_pfm(options.output);
+        status = run(&options, &setup, message);
+        if (status != STATUS_OK)
+            return complain(status, message);
+    }
+    if (fflush(stdout) != 0) {
+        snprintf(message, sizeof message, "standard output cannot be written");
+        return complain(STATUS_FAILED, message);
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,336 @@
+/* The command line of cupola-demo: every option into its place, every wrong one refused. */
+#include "options.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include <cupola/rig.h>
+
+#include "option_list.h"
+
+enum { BIG = 1000000 };
+
+static const char *name_at(const char *const *names, int count, int index)
+{
+    return index >= 0 && index < count ? names[index] : NULL;
+}
+
+static const char *scene_name(int index)
+{
+    static const char *const names[] = {"cube", "directions", "screen"};
+    return name_at(names, 3, index);
+}
+
+static const char *flip_name(int index)
+{
+    static const char *const names[] = {"x", "y", "xy"};
+    return name_at(names, 3, index);
+}
+
+static const char *preview_name(int index)
+{
+    static const char *const names[] = {"eye", "outside"};
+    return name_at(names, 2, index);
+}
+
+bool options_is_pfm(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".pfm") == 0;
+}
+
+static bool is_png(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".png") == 0;
+}
+
+static bool output_path(const struct value_context *context, const char *text, const char **path)
+{
+    if (is_png(text) || options_is_pfm(text)) {
+        *path = text;
+        return true;
+    }
+    snprintf(context->message, MESSAGE_SIZE,
+             "%s: '%.400s' is not allowed; allowed: FILE.png or FILE.pfm", context->option, text);
+    return false;
+}
+
+static bool file_path(const struct value_context *context, const char *text, const char **path)
+{
+    if (*text) {
+        *path = text;
+        return true;
+    }
+    snprintf(context->message, MESSAGE_SIZE, "%s: '' is not allowed; allowed: the name of a file",
+             context->option);
+    return false;
+}
+
+static bool vector(const struct value_context *context, const char *text, double limit,
+                   struct optional *optional)
+{
+    optional->given = value_numbers(context, text, "X,Y,Z", (struct number_range){-limit, limit, 0},
+                                    3, optional->value);
+    return optional->given;
+}
+
+static bool number(const struct value_context *context, const char *text, struct number_range range,
+                   struct optional *optional)
+{
+    optional->given = value_number(context, text, range, &optional->value[0]);
+    return optional->given;
+}
+
+static bool circle(const struct value_context *context, const char *text, struct optional *optional)
+{
+    if (!value_numbers(context, text, "CX,CY,R (pixels, R above 0)",
+                       (struct number_range){-BIG, BIG, 0}, 3, optional->value))
+        return false;
+    optional->given = true;
+    return value_number(&(struct value_context){"--circle: R", context->message},
+                        strrchr(text, ',') + 1, (struct number_range){0, BIG, true},
+                        &optional->value[2]);
+}
+
+static bool view_count(const struct value_context *context, const char *text, int *views)
+{
+    if (strcmp(text, "auto") == 0) {
+        *views = 0;
+        return true;
+    }
+    if (value_integer(context, text, 1, CUPOLA_VIEWS_MAX, views))
+        return true;
+    snprintf(context->message, MESSAGE_SIZE,
+             "%s: '%.200s' is not allowed; allowed: auto or a whole number, 1 to %d",
+             context->option, text, CUPOLA_VIEWS_MAX);
+    return false;
+}
+
+/* One mode at most. */
+static bool set_mode(const struct value_context *context, enum show_mode mode, enum show_mode *mine)
+{
+    if (*mine == SHOW_DOME) {
+        *mine = mode;
+        return true;
+    }
+    snprintf(context->message, MESSAGE_SIZE,
+             "%s: allowed: one of --perspective, --views-only and --preview, once",
+             context->option);
+    return false;
+}
+
+/* Options about what is drawn and where it goes. */
+static bool take_scene(const struct value_context *c, int code, const char *text, struct options *o)
+{
+    int index;
+
+    switch (code) {
+    case OPTION_SCENE:
+        if (!value_name(c, text, scene_name, &index))
+            return false;
+        o->scene = (enum scene_kind)index;
+        o->scene_given = true;
+        return true;
+    case OPTION_FLAT:
+        return o->flat = true;
+    case OPTION_CAMERA:
+        return vector(c, text, BIG, &o->camera);
+    case OPTION_LOOK:
+        return vector(c, text, BIG, &o->look);
+    case OPTION_UP:
+        return vector(c, text, BIG, &o->up);
+    case OPTION_PERSPECTIVE:
+        return set_mode(c, SHOW_PERSPECTIVE, &o->mode);
+    case OPTION_VIEWS_ONLY:
+        return set_mode(c, SHOW_VIEWS, &o->mode);
+    case OPTION_PREVIEW:
+        return value_name(c, text, preview_name, &index) &&
+               set_mode(c, index ? SHOW_PREVIEW_OUTSIDE : SHOW_PREVIEW_EYE, &o->mode);
+    case OPTION_HEADLESS:
+        return o->headless = true;
+    case OPTION_FRAMES:
+        return value_integer(c, text, 1, BIG, &o->frames);
+    case OPTION_OUTPUT:
+        return output_path(c, text, &o->output);
+    case OPTION_STATS:
+        return file_path(c, text, &o->stats);
+    case OPTION_MONITOR:
+        return value_integer(c, text, 0, 63, &o->monitor);
+    case OPTION_FULLSCREEN:
+        return o->fullscreen = true;
+    default:
+        return value_integer(c, text, 0, 60, &o->swap_interval);
+    }
+}
+
+/* Options about the plan and its tables. */
+static bool take_plan(const struct value_context *c, int code, const char *text, struct options *o)
+{
+    int index;
+    double wished;
+
+    switch (code) {
+    case OPTION_LAYOUT:
+        if (!value_name(c, text, cupola_layout_name, &index))
+            return false;
+        o->plan.layout = (enum cupola_layout)index;
+        return true;
+    case OPTION_VIEWS:
+        return view_count(c, text, &o->plan.views);
+    case OPTION_DENSITY:
+        if (!value_number(c, text, (struct number_range){1.0 / 16, 16, false}, &wished))
+            return false;
+        o->plan.density = wished;
+        return true;
+    case OPTION_VIEW_SIZE:
+        return value_integer(c, text, 1, 16384, &o->plan.view_size_px);
+    case OPTION_GUARD:
+        return value_integer(c, text, 1, 256, &o->plan.guard_px);
+    default:
+        if (!value_name(c, text, cupola_table_name, &index))
+            return false;
+        o->table = (enum cupola_table)index;
+        return true;
+    }
+}
+
+/* Options about the rig. */
+static bool take_rig(const struct value_context *c, int code, const char *text, struct options *o)
+{
+    int index;
+
+    switch (code) {
+    case OPTION_RIG:
+        return file_path(c, text, &o->rig);
+    case OPTION_SAVE_RIG:
+        return file_path(c, text, &o->save_rig);
+    case OPTION_PRESET:
+        o->preset = text;
+        return value_name(c, text, cupola_rig_preset_name, &index);
+    case OPTION_LENS:
+        return value_name(c, text, cupola_lens_model_name, &o->lens);
+    case OPTION_FOV:
+        return number(c, text, (struct number_range){0, 360, true}, &o->fov_deg);
+    case OPTION_LENS_K:
+        o->lens_k.given = value_numbers(c, text, "K1,K3,K5,K7", (struct number_range){-BIG, BIG, 0},
+                                        4, o->lens_k.value);
+        return o->lens_k.given;
+    case OPTION_LENS_TABLE:
+        return file_path(c, text, &o->lens_table);
+    case OPTION_FLIP:
+        if (!value_name(c, text, flip_name, &index))
+            return false;
+        o->flip = index + 1; /* x 1, y 2, xy 3: the bits of enum cupola_flip */
+        return true;
+    case OPTION_SIZE:
+        return value_size(c, text, &o->width_px, &o->height_px);
+    case OPTION_CIRCLE:
+        return circle(c, text, &o->circle_px);
+    case OPTION_TILT:
+        return number(c, text, (struct number_range){-180, 180, false}, &o->tilt_deg);
+    case OPTION_CAP:
+        return number(c, text, (struct number_range){0, 180, true}, &o->cap_deg);
+    case OPTION_VIEWER:
+        return vector(c, text, 1000, &o->viewer_m);
+    case OPTION_PROJECTOR:
+        return vector(c, text, 1000, &o->projector_m);
+    case OPTION_PROJECTOR_AIM:
+        o->aim_deg.given = value_numbers(c, text, "YAW,PITCH,ROLL",
+                                         (struct number_range){-360, 360, 0}, 3, o->aim_deg.value);
+        return o->aim_deg.given;
+    default:
+        return number(c, text, (struct number_range){0, 1000, true}, &o->radius_m);
+    }
+}
+
+static bool take(int code, int index, const char *text, struct options *options, char *message)
+{
+    char option[40];
+    struct value_context context = {option, message};
+
+    snprintf(option, sizeof option, "--%s", option_list[index].name);
+    switch (code) {
+    case OPTION_HELP:
+        return options->help = true;
+    case OPTION_VERSION:
+        return options->version = true;
+    default:
+        if (code >= OPTION_RIG && code <= OPTION_RADIUS)
+            return take_rig(&context, code, text, options);
+        if (code >= OPTION_LAYOUT && code <= OPTION_TABLE)
+            return take_plan(&context, code, text, options);
+        return take_scene(&context, code, text, options);
+    }
+}
+
+/* What is wrong with a group of options taken together; NULL: nothing. */
+static const char *contradiction(const struct options *o)
+{
+    bool window_wish = o->fullscreen || o->monitor >= 0 || o->swap_interval >= 0;
+
+    if (o->plan.density > 0 && o->plan.view_size_px > 0)
+        return "--density and --view-size contradict each other; allowed: one of them";
+    if (o->model && o->scene_given)
+        return "--scene and a MODEL contradict each other; allowed: one of them";
+    if (o->lens >= 0 && o->lens != CUPOLA_LENS_POLYNOMIAL && o->lens_k.given)
+        return "--lens-k belongs to --lens polynomial only";
+    if (o->lens >= 0 && o->lens != CUPOLA_LENS_TABLE && o->lens_table)
+        return "--lens-table belongs to --lens table only";
+    if (o->lens_k.given && o->lens_table)
+        return "--lens-k and --lens-table contradict each other; allowed: one of them";
+    if (window_wish && (o->headless || o->output))
+        return "--monitor, --fullscreen and --swap-interval need a window; allowed: not together "
+               "with --headless or --output";
+    return NULL;
+}
+
+static void unknown_option(int argc, char **argv, int code, char *message)
+{
+    const char *given = optind > 0 && optind <= argc ? argv[optind - 1] : "";
+
+    if (code == ':')
+        snprintf(message, MESSAGE_SIZE, "%.200s needs a value; cupola-demo --help names it", given);
+    else if (optopt >= OPTION_HELP)
+        snprintf(message, MESSAGE_SIZE, "%.200s: this option takes no value", given);
+    else if (optopt > 0)
+        snprintf(message, MESSAGE_SIZE,
+                 "unknown option '-%c'; cupola-demo --help names the allowed ones", optopt);
+    else
+        snprintf(message, MESSAGE_SIZE,
+                 "unknown option '%.200s'; cupola-demo --help names the allowed ones", given);
+}
+
+int options_parse(int argc, char **argv, struct options *options, char *message)
+{
+    int code, index = 0;
+    const char *problem;
+
+    *options = (struct options){.lens = -1, .flip = -1, .monitor = -1, .swap_interval = -1};
+    opterr = 0;
+    while ((code = getopt_long(argc, argv, ":", option_list, &index)) != -1) {
+        if (code == '?' || code == ':') {
+            unknown_option(argc, argv, code, message);
+            return STATUS_USAGE;
+        }
+        if (!take(code, index, optarg, options, message))
+            return STATUS_USAGE;
+        if (options->help || options->version)
+            return STATUS_OK;
+    }
+    if (argc - optind > 1) {
+        snprintf(message, MESSAGE_SIZE,
+                 "'%.200s' is a second MODEL after '%.200s'; allowed: one MODEL", argv[optind + 1],
+                 argv[optind]);
+        return STATUS_USAGE;
+    }
+    if (optind < argc)
+        options->model = argv[optind];
+    if ((problem = contradiction(options))) {
+        snprintf(message, MESSAGE_SIZE, "%s", problem);
+        return STATUS_USAGE;
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,95 @@
+/*
+ * The command line of cupola-demo. Angles are in degrees as they were typed; what was not given is
+ * marked, so that a rig file or preset keeps its own value.
+ */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include <stdbool.h>
+
+#include <cupola/gl.h>
+
+#include "option_values.h"
+
+enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
+
+enum show_mode {
+    SHOW_DOME = 0,
+    SHOW_PERSPECTIVE,
+    SHOW_VIEWS,
+    SHOW_PREVIEW_EYE,
+    SHOW_PREVIEW_OUTSIDE,
+};
+
+enum scene_kind { SCENE_CUBE = 0, SCENE_DIRECTIONS, SCENE_SCREEN };
+
+/* A number or some that may be missing. */
+struct optional {
+    bool given;
+    double value[4];
+};
+
+struct options {
+    bool help;
+    bool version;
+
+    const char *model; /* NULL: a built-in scene */
+    bool scene_given;
+    enum scene_kind scene;
+    bool flat;
+    struct optional camera;
+    struct optional look;
+    struct optional up;
+
+    const char *rig;
+    const char *save_rig;
+    const char *preset;
+    int lens; /* -1: not given; else of enum cupola_lens_model */
+    struct optional fov_deg;
+    struct optional lens_k;
+    const char *lens_table;
+    int flip;      /* -1: not given; else of enum cupola_flip */
+    int width_px;  /* 0: not given */
+    int height_px; /* 0: not given */
+    struct optional circle_px;
+    struct optional tilt_deg;
+    struct optional cap_deg;
+    struct optional viewer_m;
+    struct optional projector_m;
+    struct optional aim_deg;
+    struct optional radius_m;
+
+    struct cupola_plan_params plan;
+    enum cupola_table table;
+    enum show_mode mode;
+
+    bool headless;
+    int frames; /* 0: not given */
+    const char *output;
+    const char *stats; /* "-": stdout */
+
+    int monitor; /* -1: not given */
+    bool fullscreen;
+    int swap_interval; /* -1: not given */
+};
+
+/*
+ * Reads a command line. Returns STATUS_OK or STATUS_USAGE with one line in message (MESSAGE_SIZE
+ * bytes). Strings point into argv.
+ */
+int options_parse(int argc, char **argv, struct options *options, char *message);
+
+/*
+ * The rig that the options ask for: preset, then rig file, then the options themselves; complete
+ * and possible. STATUS_OK, STATUS_USAGE where options contradict each other or the rig, or
+ * STATUS_FAILED.
+ */
+int options_rig(const struct options *options, struct cupola_rig *rig, char *message);
+
+/* Whether a path ends in .pfm: a file of floats. */
+bool options_is_pfm(const char *path);
+
+/* Prints --help to stdout. */
+void options_print_help(void);
+
+#endif

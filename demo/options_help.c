@@ -1,0 +1,90 @@
+/* What cupola-demo --help says. */
+#include <stdio.h>
+
+#include <cupola/rig.h>
+
+#include "options.h"
+
+static const char usage_text[] =
+    "Usage: cupola-demo [OPTIONS] [MODEL]\n"
+    "Draws a scene on a dome. MODEL is whatever assimp reads (OBJ, PLY, glTF, 3DS ...); without\n"
+    "one the room --scene cube is drawn. With a display it opens a window (F1 there names the\n"
+    "keys); with --output or --headless, or without a display, it writes a picture and ends:\n"
+    "--output FILE, else dome.png (dome.pfm for a scene of numbers) in the current directory.\n";
+
+static const char scene_text[] =
+    "\nScene\n"
+    "  --scene NAME           cube | directions | screen; the colours of directions and screen "
+    "are\n"
+    "                         numbers: the ray, or the point of the screen that it meets\n"
+    "  --flat                 material colour as it is, unlit\n"
+    "  --camera X,Y,Z         where the dome's centre stands in the world; default 0,0,0, for a\n"
+    "                         MODEL a sensible place, which is printed\n"
+    "  --look X,Y,Z           the point of the world that the camera looks at; default along -Z\n"
+    "  --up X,Y,Z             the direction that is up; default 0,1,0\n";
+
+static const char rig_text[] =
+    "\nRig (options override the rig file, which overrides the preset)\n"
+    "  --rig FILE             a rig file\n"
+    "  --save-rig FILE        writes the resulting rig, keeping what was there as FILE.bak, and\n"
+    "                         goes on\n"
+    "  --lens NAME            angular | hemispheric | equisolid | stereographic | polynomial | "
+    "table\n"
+    "  --fov DEG              full opening angle\n"
+    "  --lens-k K1,K3,K5,K7   of a polynomial lens, angles in radians\n"
+    "  --lens-table FILE.csv  of a table lens: lines angle_deg,radius\n"
+    "  --flip x|y|xy          mirrors the picture\n"
+    "  --size WxH             of the picture; without --circle, the circle scales along\n"
+    "  --circle CX,CY,R       image circle in pixels, origin bottom left\n"
+    "  --tilt DEG             of the dome's axis above the line of sight, -180 to 180\n"
+    "  --cap DEG              half-angle of the screen round the dome's axis, up to 180\n"
+    "  --viewer X,Y,Z         the viewer's eye, metres, origin at the dome's centre, axis -Z\n"
+    "  --projector X,Y,Z      the lens of the projector, likewise\n"
+    "  --projector-aim YAW,PITCH,ROLL\n"
+    "                         degrees\n"
+    "  --radius M             of the screen, metres, up to 1000\n";
+
+static const char plan_text[] =
+    "\nViews and tables\n"
+    "  --layout NAME          auto | asymmetric | rotated\n"
+    "  --views N|auto         1 to 8\n"
+    "  --density D            texels per pixel along a line: 1 is no loss, 2 four times the "
+    "texels\n"
+    "  --view-size PX         longer side of each view, instead of --density\n"
+    "  --guard PX             guard band round each view, default 2\n"
+    "  --table STAGE          none | angles | sines | points | coordinates; default points\n";
+
+static const char show_text[] =
+    "\nWhat is shown (one of them; default: the dome's image)\n"
+    "  --perspective          one plain perspective view of the same fov, up to 170 degrees\n"
+    "  --views-only           the views side by side instead of the warp\n"
+    "  --preview eye|outside  the simulated theatre\n"
+    "\nWhere\n"
+    "  --headless             no window\n"
+    "  --frames N             draws N frames and ends\n"
+    "  --output FILE          FILE.png or FILE.pfm (floats); no window\n"
+    "  --stats FILE.json|-    measured times as JSON, to stdout for -; 10 frames without "
+    "--frames;\n"
+    "                         one frame more is drawn first and not counted; tables_ms is the "
+    "time\n"
+    "                         in which tables, textures and programs are made\n"
+    "  --monitor N            the window is on monitor N, 0 the first\n"
+    "  --fullscreen           and fills it\n"
+    "  --swap-interval N      of the window, 0 to 60; default 1\n"
+    "  --help, --version\n"
+    "\nExit status: 0; 1 for failures; 2 for wrong options.\n";
+
+void options_print_help(void)
+{
+    char presets[300];
+
+    value_name_list(cupola_rig_preset_name, presets, sizeof presets);
+    fputs(usage_text, stdout);
+    fputs(scene_text, stdout);
+    fputs(rig_text, stdout);
+    printf("  --preset NAME          %s;\n"
+           "                         default: a full circle of 1024x1024, angular 180, tilt 0\n",
+           presets);
+    fputs(plan_text, stdout);
+    fputs(show_text, stdout);
+}

@@ -1,0 +1,65 @@
+/* The files that the demo writes. */
+#include "output_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cupola/gl.h>
+#include <cupola/image_file.h>
+
+#include "options.h"
+
+bool output_file_check(const char *option, const char *path, char *message)
+{
+    struct stat file;
+    const char *slash = strrchr(path, '/');
+    char *directory;
+    int problem = 0;
+
+    if (stat(path, &file) == 0 && !S_ISREG(file.st_mode)) {
+        snprintf(message, MESSAGE_SIZE,
+                 "%s: %.400s is no plain file; allowed: a plain or a new one", option, path);
+        return false;
+    }
+    directory = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    if (!directory)
+        problem = ENOMEM;
+    else if (stat(directory, &file) != 0 || access(directory, W_OK | X_OK) != 0)
+        problem = errno;
+    else if (!S_ISDIR(file.st_mode))
+        problem = ENOTDIR;
+    free(directory);
+    if (problem)
+        snprintf(message, MESSAGE_SIZE, "%s: %.400s cannot be written: %s", option, path,
+                 strerror(problem));
+    return problem == 0;
+}
+
+bool output_file_capture(const char *path, unsigned int framebuffer, int width, int height,
+                         char *message)
+{
+    struct cupola_error error = {0};
+    struct cupola_target target = {.framebuffer = framebuffer};
+    float *rgba = malloc((size_t)width * (size_t)height * 4 * sizeof *rgba);
+    int status;
+
+    if (!rgba) {
+        snprintf(message, MESSAGE_SIZE, "%.400s: out of memory for %dx%d pixels", path, width,
+                 height);
+        return false;
+    }
+    status = cupola_gl_capture(&target, width, height, rgba, &error);
+    if (status >= 0 && options_is_pfm(path))
+        status = cupola_pfm_write(path, rgba, width, height, &error);
+    else if (status >= 0)
+        status = cupola_png_write(path, rgba, width, height, &error);
+    free(rgba);
+    if (status >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    return false;
+}

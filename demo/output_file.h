@@ -1,0 +1,21 @@
+/* The files that the demo writes: checks before the work, pictures after it. */
+#ifndef OUTPUT_FILE_H
+#define OUTPUT_FILE_H
+
+#include <stdbool.h>
+
+/*
+ * Whether a file can probably be written: its directory is there and writable, and what has its
+ * name is a plain file. False with one line in `message`, MESSAGE_SIZE bytes, that begins with
+ * `option`.
+ */
+bool output_file_check(const char *option, const char *path, char *message);
+
+/*
+ * Writes what a framebuffer shows, as PFM or PNG by the path's end. The file appears whole or not
+ * at all.
+ */
+bool output_file_capture(const char *path, unsigned int framebuffer, int width, int height,
+                         char *message);
+
+#endif

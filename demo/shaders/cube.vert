@@ -1,0 +1,20 @@
+#version 330 core
+// The walls of the cube room.
+
+uniform mat4 clip_from_world;
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 texcoord; // the third is the face
+layout(location = 2) in vec3 inward;
+
+out vec3 wall_place;
+out vec3 wall_texcoord;
+flat out vec3 wall_inward;
+
+void main()
+{
+    wall_place = position;
+    wall_texcoord = texcoord;
+    wall_inward = inward;
+    gl_Position = clip_from_world * vec4(position, 1.0);
+}

@@ -1,0 +1,358 @@
+/* From a rig to pictures. */
+#include "show.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include <epoxy/gl.h>
+
+#include "grid.h"
+#include "target.h"
+
+struct show {
+    struct show_setup setup;
+    cupola_dome *dome;
+    cupola_plan *plan; /* NULL in mode SHOW_PERSPECTIVE, like all below */
+    cupola_gl *gl;
+    unsigned int atlas_framebuffer; /* to read the atlas from */
+    cupola_theatre *theatre;        /* previews only, and their images: */
+    struct target images[CUPOLA_OUTPUTS_MAX];
+};
+
+double now_ms(void)
+{
+    struct timespec now;
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+static bool is_preview(enum show_mode mode)
+{
+    return mode == SHOW_PREVIEW_EYE || mode == SHOW_PREVIEW_OUTSIDE;
+}
+
+static struct cupola_gl_params gl_params(const struct show_setup *setup)
+{
+    return (struct cupola_gl_params){
+        .format = setup->floats ? CUPOLA_FORMAT_RGBA32F : CUPOLA_FORMAT_RGBA8,
+        .table = setup->table,
+    };
+}
+
+static bool create_theatre(struct show *show, char *message)
+{
+    struct cupola_error error = {0};
+    const struct cupola_rig *rig = cupola_dome_rig(show->dome);
+
+    for (int i = 0; i < rig->output_count; i++) {
+        const struct cupola_output *output = &rig->outputs[i];
+        if (!target_create(&show->images[i], output->width_px, output->height_px,
+                           show->setup.floats, message, MESSAGE_SIZE))
+            return false;
+    }
+    if (cupola_theatre_create(show->dome, &show->theatre, &error) >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    return false;
+}
+
+static bool create_views(struct show *show, char *message)
+{
+    struct cupola_error error = {0};
+    struct cupola_gl_params params = gl_params(&show->setup);
+    GLint largest = 0;
+
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (largest > 16384)
+        largest = 16384;
+    show->setup.plan.max_texture_px = largest;
+    if (cupola_plan_create(show->dome, &show->setup.plan, &show->plan, &error) < 0 ||
+        cupola_gl_create(show->plan, &params, &show->gl, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+        return false;
+    }
+    glGenFramebuffers(1, &show->atlas_framebuffer);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, show->atlas_framebuffer);
+    glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           cupola_gl_atlas(show->gl), 0);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    return true;
+}
+
+struct show *show_create(const struct show_setup *setup, char *message)
+{
+    struct cupola_error error = {0};
+    struct show *show = calloc(1, sizeof *show);
+
+    if (!show) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        return NULL;
+    }
+    show->setup = *setup;
+    if (cupola_dome_create(&setup->rig, &show->dome, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+        goto fail;
+    }
+    if (setup->mode == SHOW_PERSPECTIVE)
+        return show;
+    if (!create_views(show, message))
+        goto fail;
+    if (is_preview(setup->mode) && !create_theatre(show, message))
+        goto fail;
+    return show;
+
+fail:
+    show_destroy(show);
+    return NULL;
+}
+
+void show_destroy(struct show *show)
+{
+    if (!show)
+        return;
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        if (show->images[i].framebuffer)
+            target_destroy(&show->images[i]);
+    cupola_theatre_destroy(&show->theatre);
+    if (show->atlas_framebuffer)
+        glDeleteFramebuffers(1, &show->atlas_framebuffer);
+    cupola_gl_destroy(&show->gl);
+    cupola_plan_destroy(&show->plan);
+    cupola_dome_destroy(&show->dome);
+    free(show);
+}
+
+void show_size(const struct show *show, int *width, int *height)
+{
+    const struct cupola_plan_report *report = show_report(show);
+
+    *width = show->setup.rig.outputs[0].width_px;
+    *height = show->setup.rig.outputs[0].height_px;
+    if (show->setup.mode == SHOW_VIEWS) {
+        *width = report->atlas_width_px;
+        *height = report->atlas_height_px;
+    }
+}
+
+const cupola_dome *show_dome(const struct show *show)
+{
+    return show->dome;
+}
+
+const struct cupola_plan_report *show_report(const struct show *show)
+{
+    return show->plan ? cupola_plan_report(show->plan) : NULL;
+}
+
+double show_time_tables_ms(const struct show *show)
+{
+    cupola_gl *gl = NULL;
+    struct cupola_gl_params params = gl_params(&show->setup);
+    double start_ms;
+
+    if (!show->plan)
+        return 0;
+    glFinish();
+    start_ms = now_ms();
+    if (cupola_gl_create(show->plan, &params, &gl, NULL) < 0)
+        return -1;
+    glFinish();
+    start_ms = now_ms() - start_ms;
+    cupola_gl_destroy(&gl);
+    return start_ms;
+}
+
+/* The eye in the frame of the host's camera (scene units), and in the world. */
+static void eye_places(const struct show *show, const struct host_camera *camera, double eye[3],
+                       double world[3])
+{
+    const struct cupola_rig *rig = cupola_dome_rig(show->dome);
+
+    cupola_dome_to_camera(show->dome, rig->eye_m, eye);
+    for (int i = 0; i < 3; i++)
+        eye[i] *= rig->units_per_metre;
+    for (int i = 0; i < 3; i++)
+        world[i] = camera->place[i] + camera->rotation[i] * eye[0] +
+                   camera->rotation[3 + i] * eye[1] + camera->rotation[6 + i] * eye[2];
+}
+
+static bool draw_views(struct show *show, const struct show_frame *frame, const float host[16],
+                       double near_distance, double far_distance, struct cupola_error *error)
+{
+    struct cupola_frame begin = {.near_distance = near_distance, .far_distance = far_distance};
+    struct cupola_gl_view view;
+    int views;
+
+    for (int i = 0; i < 4; i++)
+        begin.clear_color[i] = frame->scene->clear_color[i];
+    views = cupola_gl_frame_begin(show->gl, &begin, error);
+    for (int i = 0; i < views; i++) {
+        if (cupola_gl_view_begin(show->gl, i, &view, error) < 0)
+            return false;
+        frame->scene->draw(frame->scene,
+                           &(struct scene_camera){view.camera.projection, view.camera.view, host});
+        if (frame->grid)
+            grid_draw(frame->grid, show->dome, cupola_plan_view(show->plan, i));
+        if (cupola_gl_view_end(show->gl, error) < 0)
+            return false;
+    }
+    return views >= 0;
+}
+
+/* The opening of the lens spans the diameter of the image circle, as it does on the dome. */
+static void draw_perspective(struct show *show, const struct show_frame *frame,
+                             const float host[16], const double eye[3], double n, double f)
+{
+    const struct cupola_output *output = &show->setup.rig.outputs[0];
+    double per_px = tan(output->lens.fov_rad / 2) / output->circle.radius_px;
+    double left = -output->circle.center_x_px * per_px;
+    double bottom = -output->circle.center_y_px * per_px;
+    double width = frame->width * per_px, height = frame->height * per_px;
+    float view[16] = {
+        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, (float)-eye[0], (float)-eye[1], (float)-eye[2], 1};
+    float projection[16] = {0};
+
+    projection[0] = (float)(2 / width);
+    projection[5] = (float)(2 / height);
+    projection[8] = (float)((2 * left + width) / width);
+    projection[9] = (float)((2 * bottom + height) / height);
+    projection[10] = (float)(-(f + n) / (f - n));
+    projection[11] = -1;
+    projection[14] = (float)(-2 * f * n / (f - n));
+
+    glBindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
+    glViewport(0, 0, frame->width, frame->height);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glClearDepth(1);
+    glClearColor(frame->scene->clear_color[0], frame->scene->clear_color[1],
+                 frame->scene->clear_color[2], frame->scene->clear_color[3]);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    frame->scene->draw(frame->scene, &(struct scene_camera){projection, view, host});
+}
+
+void show_draw_atlas(const struct show *show, unsigned int framebuffer,
+                     const struct cupola_rect *rect)
+{
+    const struct cupola_plan_report *report = show_report(show);
+    double x_scale, y_scale;
+
+    if (!report)
+        return;
+    x_scale = (double)rect->width / report->atlas_width_px;
+    y_scale = (double)rect->height / report->atlas_height_px;
+    glDisable(GL_SCISSOR_TEST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, show->atlas_framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    for (int i = 0; i < report->views; i++) {
+        const struct cupola_rect *from = &cupola_plan_view(show->plan, i)->rect;
+        int left = rect->x + (int)lround(from->x * x_scale);
+        int bottom = rect->y + (int)lround(from->y * y_scale);
+        int right = rect->x + (int)lround((from->x + from->width) * x_scale);
+        int top = rect->y + (int)lround((from->y + from->height) * y_scale);
+        bool same = right - left == from->width && top - bottom == from->height;
+        glBlitFramebuffer(from->x, from->y, from->x + from->width, from->y + from->height, left,
+                          bottom, right, top, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+/* All views, as large as they fit into the framebuffer. */
+static void draw_views_only(struct show *show, const struct show_frame *frame)
+{
+    const struct cupola_plan_report *report = show_report(show);
+    double scale = fmin((double)frame->width / report->atlas_width_px,
+                        (double)frame->height / report->atlas_height_px);
+    struct cupola_rect rect = {.width = (int)lround(scale * report->atlas_width_px),
+                               .height = (int)lround(scale * report->atlas_height_px)};
+
+    rect.x = (frame->width - rect.width) / 2;
+    rect.y = (frame->height - rect.height) / 2;
+    glBindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    show_draw_atlas(show, frame->framebuffer, &rect);
+}
+
+static bool warp(struct show *show, const struct show_frame *frame, struct cupola_error *error)
+{
+    if (!is_preview(show->setup.mode))
+        return cupola_gl_warp(show->gl, 0,
+                              &(struct cupola_target){.framebuffer = frame->framebuffer},
+                              error) >= 0;
+    for (int i = 0; i < cupola_dome_rig(show->dome)->output_count; i++) {
+        struct cupola_target target = {.framebuffer = show->images[i].framebuffer};
+        if (cupola_gl_warp(show->gl, i, &target, error) < 0)
+            return false;
+    }
+    return true;
+}
+
+static bool draw_theatre(struct show *show, const struct show_frame *frame,
+                         struct cupola_error *error)
+{
+    unsigned int images[CUPOLA_OUTPUTS_MAX];
+    struct cupola_spectator spectator;
+    struct cupola_target target = {.framebuffer = frame->framebuffer};
+
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        images[i] = show->images[i].texture;
+    if (show->setup.mode == SHOW_PREVIEW_EYE)
+        cupola_spectator_at_eye(show->dome, &spectator);
+    else
+        cupola_spectator_outside(show->dome, &spectator);
+    return cupola_theatre_draw(show->theatre, images, &spectator, frame->width, frame->height,
+                               &target, error) >= 0;
+}
+
+/* The time since `start_ms`, once the GL has finished; 0 where nobody wants it. */
+static double phase_ms(const struct show_frame *frame, double start_ms)
+{
+    if (!frame->times)
+        return 0;
+    glFinish();
+    return now_ms() - start_ms;
+}
+
+bool show_draw(struct show *show, const struct show_frame *frame, char *message)
+{
+    float host[16];
+    double eye[3], world[3], near_distance, far_distance;
+    struct cupola_error error = {0};
+    struct frame_times times = {0};
+    double start_ms;
+
+    phase_ms(frame, 0);
+    start_ms = now_ms();
+    host_camera_matrix(frame->camera, host);
+    eye_places(show, frame->camera, eye, world);
+    scene_range_update(frame->range, frame->scene, world, &near_distance, &far_distance);
+    if (show->setup.mode == SHOW_PERSPECTIVE)
+        draw_perspective(show, frame, host, eye, near_distance, far_distance);
+    else if (!draw_views(show, frame, host, near_distance, far_distance, &error))
+        goto fail;
+    times.views_ms = phase_ms(frame, start_ms);
+    if (show->setup.mode == SHOW_VIEWS) {
+        draw_views_only(show, frame);
+    } else if (show->setup.mode != SHOW_PERSPECTIVE) {
+        if (!warp(show, frame, &error))
+            goto fail;
+        times.warp_ms = phase_ms(frame, start_ms) - times.views_ms;
+        if (is_preview(show->setup.mode) && !draw_theatre(show, frame, &error))
+            goto fail;
+    }
+    times.frame_ms = phase_ms(frame, start_ms);
+    if (frame->times)
+        *frame->times = times;
+    return true;
+
+fail:
+    snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    return false;
+}

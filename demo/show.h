@@ -1,0 +1,71 @@
+/*
+ * From a rig to pictures: dome, plan, GL objects and, where asked for, the simulated theatre. A
+ * show never changes; whoever wants another rig, plan or mode makes a new one and, if that
+ * succeeds, drops the old.
+ */
+#ifndef SHOW_H
+#define SHOW_H
+
+#include <cupola/cupola.h>
+
+#include "host_camera.h"
+#include "options.h"
+#include "scene.h"
+
+struct show_setup {
+    struct cupola_rig rig; /* complete */
+    struct cupola_plan_params plan;
+    enum cupola_table table;
+    enum show_mode mode;
+    bool floats; /* views and images of 32-bit floats instead of 8 bits */
+};
+
+struct show;
+struct grid;
+
+/* NULL with one line in `message`, MESSAGE_SIZE bytes. Runs where a GL context is current. */
+struct show *show_create(const struct show_setup *setup, char *message);
+
+/* NULL is allowed. */
+void show_destroy(struct show *show);
+
+/* How long a frame took, milliseconds, with the GL finished at the edges of each phase. */
+struct frame_times {
+    double views_ms; /* drawing the scene */
+    double warp_ms;  /* from views to output; 0 where nothing is warped */
+    double frame_ms; /* all of it, theatre included */
+};
+
+struct show_frame {
+    struct scene *scene;
+    const struct host_camera *camera;
+    struct scene_range *range;
+    struct grid *grid; /* drawn over every view; NULL: none */
+    unsigned int framebuffer;
+    int width; /* of the framebuffer; for the dome and the perspective view, the output's */
+    int height;
+    struct frame_times *times; /* NULL: nobody wants them, and nothing waits */
+};
+
+/* Draws one frame. False with one line in `message`, MESSAGE_SIZE bytes. */
+bool show_draw(struct show *show, const struct show_frame *frame, char *message);
+
+/* Copies the views into a rectangle of a framebuffer, left to right and upwards as in the atlas. */
+void show_draw_atlas(const struct show *show, unsigned int framebuffer,
+                     const struct cupola_rect *rect);
+
+/* The size of the picture that the mode makes when nothing else is wished. */
+void show_size(const struct show *show, int *width, int *height);
+
+const cupola_dome *show_dome(const struct show *show);
+
+/* NULL for a perspective view, which has no plan. */
+const struct cupola_plan_report *show_report(const struct show *show);
+
+/* Makes the GL objects once more and returns how long that took; below 0 if it failed. */
+double show_time_tables_ms(const struct show *show);
+
+/* Of a clock that only goes forward. */
+double now_ms(void);
+
+#endif

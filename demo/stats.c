@@ -1,0 +1,201 @@
+/* Measured times as JSON. */
+#include "stats.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+enum { TABLE_RUNS = 4 };
+
+/* Numbers in the order in which they came. */
+struct series {
+    double *values;
+    int count;
+    int room;
+};
+
+struct stats {
+    const char *path;
+    char *temporary; /* NULL until written, and for stdout */
+    bool warm;       /* the first frame is over */
+    struct series frame_ms;
+    struct series views_ms;
+    struct series warp_ms;
+    struct series tables_ms;
+};
+
+struct stats *stats_create(const char *path)
+{
+    struct stats *stats = calloc(1, sizeof *stats);
+
+    if (stats)
+        stats->path = path;
+    return stats;
+}
+
+void stats_destroy(struct stats *stats)
+{
+    if (!stats)
+        return;
+    if (stats->temporary)
+        unlink(stats->temporary);
+    free(stats->temporary);
+    free(stats->frame_ms.values);
+    free(stats->views_ms.values);
+    free(stats->warp_ms.values);
+    free(stats->tables_ms.values);
+    free(stats);
+}
+
+int stats_frames(int frames)
+{
+    return frames > 0 ? frames : 10;
+}
+
+/* A number that finds no memory is left out. */
+static void series_add(struct series *series, double value)
+{
+    if (series->count == series->room) {
+        int room = series->room ? 2 * series->room : 64;
+        double *values = realloc(series->values, (size_t)room * sizeof *values);
+        if (!values)
+            return;
+        series->values = values;
+        series->room = room;
+    }
+    series->values[series->count++] = value;
+}
+
+void stats_add_frame(struct stats *stats, const struct frame_times *times)
+{
+    if (!stats->warm) {
+        stats->warm = true;
+        return;
+    }
+    series_add(&stats->frame_ms, times->frame_ms);
+    series_add(&stats->views_ms, times->views_ms);
+    series_add(&stats->warp_ms, times->warp_ms);
+}
+
+void stats_time_tables(struct stats *stats, const struct show *show)
+{
+    for (int i = 0; i < TABLE_RUNS; i++) {
+        double time_ms = show_time_tables_ms(show);
+        if (i > 0 && time_ms >= 0)
+            series_add(&stats->tables_ms, time_ms);
+    }
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double left = *(const double *)a, right = *(const double *)b;
+    return (left > right) - (left < right);
+}
+
+static void write_series(FILE *file, const char *name, struct series *series)
+{
+    int n = series->count;
+    double median = 0, low = 0, high = 0;
+
+    if (n > 0) {
+        qsort(series->values, (size_t)n, sizeof *series->values, by_size);
+        median = (series->values[(n - 1) / 2] + series->values[n / 2]) / 2;
+        low = series->values[0];
+        high = series->values[n - 1];
+    }
+    fprintf(file, "  \"%s\": {\"median\": %.6g, \"min\": %.6g, \"max\": %.6g},\n", name, median,
+            low, high);
+}
+
+static void write_string(FILE *file, const char *text)
+{
+    fputc('"', file);
+    for (const unsigned char *at = (const unsigned char *)text; *at; at++) {
+        if (*at == '"' || *at == '\\')
+            fprintf(file, "\\%c", *at);
+        else if (*at < 0x20 || *at >= 0x7f) /* drivers' names are Latin-1 at best */
+            fprintf(file, "\\u%04x", *at);
+        else
+            fputc(*at, file);
+    }
+    fputc('"', file);
+}
+
+static void write_object(struct stats *stats, const struct show *show, const char *renderer,
+                         FILE *file)
+{
+    /* A plain perspective view has one texel for every pixel. */
+    static const struct cupola_plan_report plain = {
+        .views = 1,
+        .texels_allocated_per_pixel = 1,
+        .texels_shaded_per_pixel = 1,
+        .texels_sampled_per_pixel = 1,
+    };
+    const struct cupola_plan_report *report = show_report(show);
+    struct rusage usage = {0};
+
+    if (!report)
+        report = &plain;
+    getrusage(RUSAGE_SELF, &usage);
+    fputs("{\n  \"renderer\": ", file);
+    write_string(file, renderer);
+    fprintf(file, ",\n  \"frames\": %d,\n", stats->frame_ms.count);
+    write_series(file, "frame_ms", &stats->frame_ms);
+    write_series(file, "views_ms", &stats->views_ms);
+    write_series(file, "tables_ms", &stats->tables_ms);
+    write_series(file, "warp_ms", &stats->warp_ms);
+    fprintf(file, "  \"views\": %d,\n", report->views);
+    fprintf(file, "  \"texels_allocated_per_pixel\": %.6g,\n", report->texels_allocated_per_pixel);
+    fprintf(file, "  \"texels_shaded_per_pixel\": %.6g,\n", report->texels_shaded_per_pixel);
+    fprintf(file, "  \"texels_sampled_per_pixel\": %.6g,\n", report->texels_sampled_per_pixel);
+    /* Linux counts in kibibytes. */
+    fprintf(file, "  \"peak_rss_bytes\": %.0f\n}\n", (double)usage.ru_maxrss * 1024);
+}
+
+bool stats_write(struct stats *stats, const struct show *show, const char *renderer, char *message)
+{
+    bool to_stdout = strcmp(stats->path, "-") == 0;
+    size_t length = strlen(stats->path) + 32;
+    FILE *file = stdout;
+    bool failed;
+
+    if (!to_stdout) {
+        stats->temporary = malloc(length);
+        if (!stats->temporary) {
+            snprintf(message, MESSAGE_SIZE, "--stats: out of memory");
+            return false;
+        }
+        snprintf(stats->temporary, length, "%s.%ld.tmp", stats->path, (long)getpid());
+        file = fopen(stats->temporary, "wx");
+        if (!file)
+            goto fail;
+    }
+    write_object(stats, show, renderer, file);
+    failed = ferror(file) != 0;
+    if ((to_stdout ? fflush(file) : fclose(file)) != 0 || failed)
+        goto fail;
+    return true;
+
+fail:
+    snprintf(message, MESSAGE_SIZE, "--stats: %.400s cannot be written: %s", stats->path,
+             strerror(errno));
+    return false;
+}
+
+bool stats_keep(struct stats *stats, char *message)
+{
+    if (!stats->temporary)
+        return true;
+    if (rename(stats->temporary, stats->path) != 0) {
+        snprintf(message, MESSAGE_SIZE, "--stats: %.400s cannot be written: %s", stats->path,
+                 strerror(errno));
+        return false;
+    }
+    free(stats->temporary);
+    stats->temporary = NULL;
+    return true;
+}

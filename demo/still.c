@@ -1,0 +1,136 @@
+/* Renders without a window. */
+#include "still.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <epoxy/gl.h>
+
+#include <cupola/rig_file.h>
+
+#include "headless.h"
+#include "output_file.h"
+#include "stats.h"
+#include "target.h"
+#include "world.h"
+
+struct still {
+    struct headless *headless;
+    struct world world;
+    struct show *show;
+    struct target target;
+    struct stats *stats; /* NULL: nobody wants them */
+};
+
+static int create(struct still *still, const struct options *options,
+                  const struct show_setup *setup, FILE *news, char *message)
+{
+    struct show_setup mine = *setup;
+    int status, width, height;
+
+    still->headless = headless_create(message, MESSAGE_SIZE);
+    if (!still->headless)
+        return STATUS_FAILED;
+    status = world_create(&still->world, options, &setup->rig, news, message);
+    if (status != STATUS_OK)
+        return status;
+    mine.floats |= still->world.scene->needs_float;
+    still->show = show_create(&mine, message);
+    if (!still->show)
+        return STATUS_FAILED;
+    show_size(still->show, &width, &height);
+    if (!target_create(&still->target, width, height, mine.floats, message, MESSAGE_SIZE))
+        return STATUS_FAILED;
+    if (options->stats && !(still->stats = stats_create(options->stats))) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        return STATUS_FAILED;
+    }
+    return STATUS_OK;
+}
+
+static void destroy(struct still *still)
+{
+    stats_destroy(still->stats);
+    if (still->headless) {
+        if (still->target.framebuffer)
+            target_destroy(&still->target);
+        show_destroy(still->show);
+        world_destroy(&still->world);
+    }
+    headless_destroy(still->headless);
+}
+
+static bool draw(struct still *still, const struct options *options, char *message)
+{
+    int frames = options->frames > 0 ? options->frames : 1;
+    struct frame_times times;
+    struct scene_range range = {0};
+    struct show_frame frame = {
+        .scene = still->world.scene,
+        .camera = &still->world.camera,
+        .range = &range,
+        .framebuffer = still->target.framebuffer,
+        .width = still->target.width,
+        .height = still->target.height,
+        .times = still->stats ? &times : NULL,
+    };
+
+    if (still->stats)
+        frames = stats_frames(options->frames) + 1;
+    for (int i = 0; i < frames; i++) {
+        if (!show_draw(still->show, &frame, message))
+            return false;
+        if (still->stats)
+            stats_add_frame(still->stats, &times);
+    }
+    return true;
+}
+
+/* The picture last but one: when it cannot be written, neither are the statistics. */
+static bool write_files(struct still *still, const struct options *options, const char *path,
+                        char *message)
+{
+    struct cupola_error error = {0};
+
+    if (options->save_rig &&
+        cupola_rig_write(options->save_rig, cupola_dome_rig(show_dome(still->show)), &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "--save-rig: %s", error.message);
+        return false;
+    }
+    if (still->stats) {
+        stats_time_tables(still->stats, still->show);
+        if (strcmp(options->stats, "-") != 0 &&
+            !stats_write(still->stats, still->show, (const char *)glGetString(GL_RENDERER),
+                         message))
+            return false;
+    }
+    if (!output_file_capture(path, still->target.framebuffer, still->target.width,
+                             still->target.height, message))
+        return false;
+    if (still->stats && strcmp(options->stats, "-") == 0)
+        return stats_write(still->stats, still->show, (const char *)glGetString(GL_RENDERER),
+                           message);
+    return !still->stats || stats_keep(still->stats, message);
+}
+
+int still_run(const struct options *options, const struct show_setup *setup, char *message)
+{
+    struct still still = {0};
+    FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
+    const char *path = options->output;
+    bool floats = !options->model && options->scene != SCENE_CUBE;
+    int status;
+
+    if (!path)
+        path = floats ? "dome.pfm" : "dome.png";
+    if (!output_file_check("--output", path, message))
+        return STATUS_FAILED;
+    status = create(&still, options, setup, news, message);
+    if (status == STATUS_OK &&
+        !(draw(&still, options, message) && write_files(&still, options, path, message)))
+        status = STATUS_FAILED;
+    if (status == STATUS_OK && !options->output)
+        fprintf(news, "wrote %s\n", path);
+    destroy(&still);
+    return status;
+}

@@ -1,0 +1,23 @@
+/* A framebuffer of the demo's own with a colour texture, to draw a picture into. */
+#ifndef TARGET_H
+#define TARGET_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct target {
+    unsigned int framebuffer;
+    unsigned int texture; /* RGBA8, or RGBA32F where `floats` was asked for */
+    unsigned int depth;   /* renderbuffer */
+    int width;
+    int height;
+};
+
+/* False with one line in `message` and nothing made where the GL cannot. */
+bool target_create(struct target *target, int width, int height, bool floats, char *message,
+                   size_t message_size);
+
+/* All zero afterwards; a target that is all zero is allowed. */
+void target_destroy(struct target *target);
+
+#endif

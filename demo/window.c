@@ -1,0 +1,308 @@
+/* The demo in a window: opening it, the loop, and what changes with its size. */
+#include "window.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <epoxy/gl.h>
+
+#include <cupola/rig_file.h>
+
+#include "stats.h"
+#include "window_state.h"
+
+/* GLFW reports errors to a function that gets no pointer of ours. */
+static char glfw_message[300];
+
+static void on_error(int code, const char *text)
+{
+    (void)code;
+    snprintf(glfw_message, sizeof glfw_message, "%s", text);
+}
+
+bool window_change(struct window *window, const struct show_setup *setup)
+{
+    char message[MESSAGE_SIZE];
+    struct cupola_error error = {0};
+    struct show_setup fitted = *setup;
+    struct show *show = NULL;
+
+    if (cupola_output_resize(&fitted.rig.outputs[0], window->width, window->height, &error) < 0 ||
+        cupola_rig_complete(&fitted.rig, &fitted.rig, &error) < 0)
+        snprintf(message, sizeof message, "%s", error.message);
+    else
+        show = show_create(&fitted, message);
+    if (!show) {
+        window_notice(window, message);
+        return false;
+    }
+    show_destroy(window->show);
+    window->show = show;
+    window->setup = *setup;
+    return true;
+}
+
+/* The version of the best context that a hidden window gets; 0 for none. */
+static int find_version(void)
+{
+    int version = 0;
+    GLFWwindow *handle;
+
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    handle = glfwCreateWindow(16, 16, "cupola-demo", NULL, NULL);
+    if (!handle)
+        return 0;
+    glfwMakeContextCurrent(handle);
+    version = epoxy_gl_version();
+    glfwMakeContextCurrent(NULL);
+    glfwDestroyWindow(handle);
+    return version;
+}
+
+static bool choose_monitor(const struct options *options, GLFWmonitor **monitor, char *message)
+{
+    int count = 0;
+    GLFWmonitor **monitors = glfwGetMonitors(&count);
+    int index = options->monitor >= 0 ? options->monitor : 0;
+
+    *monitor = NULL;
+    if (options->monitor < 0 && !options->fullscreen)
+        return true;
+    if (index >= count) {
+        if (count == 0)
+            snprintf(message, MESSAGE_SIZE, "--fullscreen, --monitor: this display has no monitor");
+        else
+            snprintf(message, MESSAGE_SIZE, "--monitor: %d is not allowed; allowed: 0 to %d", index,
+                     count - 1);
+        return false;
+    }
+    *monitor = monitors[index];
+    return true;
+}
+
+/* The output's size, smaller where the screen is; all of the screen if asked for. */
+static void choose_size(const struct options *options, const struct cupola_output *output,
+                        GLFWmonitor *monitor, int *width, int *height)
+{
+    GLFWmonitor *screen = monitor ? monitor : glfwGetPrimaryMonitor();
+    const GLFWvidmode *mode = screen ? glfwGetVideoMode(screen) : NULL;
+    double scale = 1;
+
+    *width = output->width_px;
+    *height = output->height_px;
+    if (!mode)
+        return;
+    if (options->fullscreen) {
+        *width = mode->width;
+        *height = mode->height;
+        return;
+    }
+    if (*width > mode->width)
+        scale = (double)mode->width / *width;
+    if (*height * scale > mode->height)
+        scale = (double)mode->height / *height;
+    *width = *width * scale < 1 ? 1 : (int)(*width * scale);
+    *height = *height * scale < 1 ? 1 : (int)(*height * scale);
+}
+
+static bool open_window(struct window *window, const struct options *options, char *message)
+{
+    GLFWmonitor *monitor;
+    int width, height, x, y, version;
+
+    if (!choose_monitor(options, &monitor, message))
+        return false;
+    choose_size(options, &window->setup.rig.outputs[0], monitor, &width, &height);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    window->handle =
+        glfwCreateWindow(width, height, "cupola-demo", options->fullscreen ? monitor : NULL, NULL);
+    if (!window->handle) {
+        char reason[sizeof glfw_message];
+        memcpy(reason, glfw_message, sizeof reason);
+        version = find_version();
+        if (version > 0 && version < 33)
+            snprintf(message, MESSAGE_SIZE, "the OpenGL found is %d.%d; needed: 3.3 core or newer",
+                     version / 10, version % 10);
+        else
+            snprintf(message, MESSAGE_SIZE, "no window with OpenGL 3.3 core: %s", reason);
+        return false;
+    }
+    if (monitor && !options->fullscreen) {
+        glfwGetMonitorPos(monitor, &x, &y);
+        glfwSetWindowPos(window->handle, x, y);
+    }
+    memcpy(window->windowed, (int[]){0, 0, width, height}, sizeof window->windowed);
+    glfwMakeContextCurrent(window->handle);
+    glfwSwapInterval(options->swap_interval >= 0 ? options->swap_interval : 1);
+    glfwSetWindowUserPointer(window->handle, window);
+    glfwGetFramebufferSize(window->handle, &window->width, &window->height);
+    return true;
+}
+
+static int create(struct window *window, const struct options *options, FILE *news, char *message)
+{
+    struct cupola_error error = {0};
+    int status;
+
+    if (!open_window(window, options, message))
+        return STATUS_FAILED;
+    status = world_create(&window->world, options, &window->setup.rig, news, message);
+    if (status != STATUS_OK)
+        return status;
+    window->setup.floats |= window->world.scene->needs_float;
+    window->overlay = overlay_create(message, MESSAGE_SIZE);
+    window->grid = window->overlay ? grid_create(message, MESSAGE_SIZE) : NULL;
+    if (!window->grid)
+        return STATUS_FAILED;
+    if (!window_change(window, &window->setup)) {
+        memcpy(message, window->notice, MESSAGE_SIZE);
+        return STATUS_FAILED;
+    }
+    if (options->save_rig && cupola_rig_write(options->save_rig, &window->setup.rig, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "--save-rig: %s", error.message);
+        return STATUS_FAILED;
+    }
+    window_listen(window);
+    window_notice(window, "F1: help");
+    return STATUS_OK;
+}
+
+static void destroy(struct window *window)
+{
+    if (!window->handle)
+        return;
+    show_destroy(window->show);
+    grid_destroy(window->grid);
+    overlay_destroy(window->overlay);
+    world_destroy(&window->world);
+    glfwDestroyWindow(window->handle);
+}
+
+/* The image circle keeps its place in the window. */
+static void follow_size(struct window *window)
+{
+    int width, height;
+
+    glfwGetFramebufferSize(window->handle, &width, &height);
+    window->resized = false;
+    if (width < 1 || height < 1 || (width == window->width && height == window->height))
+        return;
+    window->width = width;
+    window->height = height;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    window_change(window, &window->setup);
+}
+
+static bool draw(struct window *window, struct stats *stats, char *message)
+{
+    struct frame_times times;
+    struct show_frame frame = {
+        .scene = window->world.scene,
+        .camera = &window->world.camera,
+        .range = &window->range,
+        .grid = window->show_grid ? window->grid : NULL,
+        .width = window->width,
+        .height = window->height,
+        .times = stats ? &times : NULL,
+    };
+
+    if (!show_draw(window->show, &frame, message))
+        return false;
+    if (stats)
+        stats_add_frame(stats, &times);
+    window_draw_overlay(window);
+    if (window->wants_picture) {
+        window->wants_picture = false;
+        window_save_picture(window);
+    }
+    return true;
+}
+
+static bool loop(struct window *window, const struct options *options, struct stats *stats,
+                 char *message)
+{
+    /* The first frame is not counted where times are measured. */
+    int frames_left = options->frames > 0 ? options->frames + (stats != NULL) : -1;
+    double last_ms = now_ms();
+
+    window->moved_ms = last_ms;
+    while (!glfwWindowShouldClose(window->handle) && frames_left != 0) {
+        double time_ms;
+        glfwPollEvents();
+        if (window->resized)
+            follow_size(window);
+        window_fly(window);
+        if (!draw(window, stats, message))
+            return false;
+        glfwSwapBuffers(window->handle);
+        time_ms = now_ms();
+        window->frame_ms += 0.1 * (time_ms - last_ms - window->frame_ms);
+        last_ms = time_ms;
+        if (frames_left > 0)
+            frames_left--;
+    }
+    if (!stats)
+        return true;
+    stats_time_tables(stats, window->show);
+    return stats_write(stats, window->show, (const char *)glGetString(GL_RENDERER), message) &&
+           stats_keep(stats, message);
+}
+
+static bool has_display(char *message)
+{
+    const char *x = getenv("DISPLAY"), *wayland = getenv("WAYLAND_DISPLAY");
+
+    glfwSetErrorCallback(on_error);
+    if (!(x && *x) && !(wayland && *wayland)) {
+        snprintf(message, MESSAGE_SIZE,
+                 "a window needs a display, but neither DISPLAY nor WAYLAND_DISPLAY is set");
+        return false;
+    }
+    if (glfwInit())
+        return true;
+    snprintf(message, MESSAGE_SIZE, "a window needs a display: %s", glfw_message);
+    return false;
+}
+
+int window_run(const struct options *options, const struct show_setup *setup, char *message)
+{
+    const struct cupola_lens *lens = &setup->rig.outputs[0].lens;
+    FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
+    struct stats *stats = options->stats ? stats_create(options->stats) : NULL;
+    struct window *window;
+    int status;
+
+    if (!has_display(message)) {
+        stats_destroy(stats);
+        return WINDOW_NO_DISPLAY;
+    }
+    window = calloc(1, sizeof *window);
+    if (!window || (options->stats && !stats)) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        status = STATUS_FAILED;
+    } else {
+        window->setup = *setup;
+        window->own_lens = *lens;
+        window->own_mode = setup->mode == SHOW_PREVIEW_EYE || setup->mode == SHOW_PREVIEW_OUTSIDE
+                               ? SHOW_DOME
+                               : setup->mode;
+        window->tried_lens = (int)lens->model;
+        window->tried_layout = (int)setup->plan.layout;
+        status = create(window, options, news, message);
+        if (status == STATUS_OK && !loop(window, options, stats, message))
+            status = STATUS_FAILED;
+        destroy(window);
+    }
+    stats_destroy(stats);
+    free(window);
+    glfwTerminate();
+    return status;
+}

@@ -1,0 +1,30 @@
+/* What the options ask to be drawn, and the camera in it. */
+#ifndef WORLD_H
+#define WORLD_H
+
+#include <stdio.h>
+
+#include "host_camera.h"
+#include "options.h"
+#include "scene.h"
+
+struct world {
+    struct scene *scene;
+    struct host_camera camera;
+    double up[3]; /* world */
+};
+
+/*
+ * Loads or makes the scene and places the camera; a place that was chosen for a MODEL is printed to
+ * `news`. STATUS_OK, or another status with one line in message (MESSAGE_SIZE bytes) and nothing
+ * made. Runs where a GL context is current.
+ */
+int world_create(struct world *world, const struct options *options, const struct cupola_rig *rig,
+                 FILE *news, char *message);
+
+void world_destroy(struct world *world);
+
+/* Whether --look and --up define a camera; checked before any work, where the place is known. */
+int world_check_camera(const struct options *options, char *message);
+
+#endif

@@ -1,0 +1,165 @@
+/* A cupola_gl: made, given back. */
+#include "instance.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+
+static const char *const table_names[] = {
+    [CUPOLA_TABLE_POINTS] = "points",           [CUPOLA_TABLE_NONE] = "none",
+    [CUPOLA_TABLE_ANGLES] = "angles",           [CUPOLA_TABLE_SINES] = "sines",
+    [CUPOLA_TABLE_COORDINATES] = "coordinates",
+};
+
+enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0] };
+
+const char *cupola_table_name(int table)
+{
+    return table >= 0 && table < TABLE_COUNT ? table_names[table] : NULL;
+}
+
+int cupola_table_find(const char *name)
+{
+    for (int table = 0; name && table < TABLE_COUNT; table++)
+        if (strcmp(name, table_names[table]) == 0)
+            return table;
+    return CUPOLA_ERROR_ARGUMENT;
+}
+
+int context_check(struct cupola_error *error)
+{
+    int version = epoxy_gl_version(); /* 0 without a context, where any GL call would abort */
+    if (version == 0)
+        return error_set(error, CUPOLA_ERROR_CONTEXT,
+                         "no GL context is current on this thread; allowed: OpenGL 3.3 or newer");
+    if (!epoxy_is_desktop_gl())
+        return error_set(error, CUPOLA_ERROR_CONTEXT,
+                         "the GL context is OpenGL ES %d.%d; allowed: OpenGL 3.3 or newer",
+                         version / 10, version % 10);
+    if (version < 33)
+        return error_set(error, CUPOLA_ERROR_CONTEXT,
+                         "the GL context is OpenGL %d.%d; allowed: OpenGL 3.3 or newer",
+                         version / 10, version % 10);
+    return CUPOLA_OK;
+}
+
+GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
+                      struct cupola_error *error)
+{
+    GLuint texture = 0;
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    if (width_px > largest || height_px > largest) {
+        error_set(error, CUPOLA_ERROR_ARGUMENT,
+                  "a texture of %d x %d px is needed; allowed by this GL: up to %d each way",
+                  width_px, height_px, largest);
+        return 0;
+    }
+    while (glGetError() != GL_NO_ERROR)
+        ;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLint)filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width_px, height_px, 0, GL_RGBA,
+                 GL_FLOAT, NULL);
+    GLenum failure = glGetError();
+    if (failure == GL_NO_ERROR)
+        return texture;
+    glDeleteTextures(1, &texture);
+    error_set(error, failure == GL_OUT_OF_MEMORY ? CUPOLA_ERROR_MEMORY : CUPOLA_ERROR_GL,
+              "the GL refused a texture of %d x %d px (error 0x%x)", width_px, height_px, failure);
+    return 0;
+}
+
+GLuint framebuffer_create(GLuint texture)
+{
+    GLuint framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
+        return framebuffer;
+    glDeleteFramebuffers(1, &framebuffer);
+    return 0;
+}
+
+void draw_fullscreen(GLuint vertex_array)
+{
+    glBindVertexArray(vertex_array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+static int check_params(const struct cupola_gl_params *params, struct cupola_error *error)
+{
+    if (params->format < CUPOLA_FORMAT_RGBA8 || params->format > CUPOLA_FORMAT_RGBA32F)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "format is %d; allowed: %d to %d",
+                         (int)params->format, CUPOLA_FORMAT_RGBA8, CUPOLA_FORMAT_RGBA32F);
+    if (!cupola_table_name((int)params->table))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "table stage is %d; allowed: 0 to %d",
+                         (int)params->table, TABLE_COUNT - 1);
+    return CUPOLA_OK;
+}
+
+static void destroy_objects(cupola_gl *gl)
+{
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        warp_pass_destroy(&gl->passes[i]);
+    views_destroy(gl);
+    glDeleteVertexArrays(1, &gl->vertex_array);
+}
+
+static int create_objects(cupola_gl *gl, struct cupola_error *error)
+{
+    glGenVertexArrays(1, &gl->vertex_array);
+    int status = views_create(gl, error);
+    for (int i = 0; status == CUPOLA_OK && i < gl->plan.dome.rig.output_count; i++)
+        status = warp_pass_create(gl, i, error);
+    return status;
+}
+
+int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *params, cupola_gl **gl,
+                     struct cupola_error *error)
+{
+    if (!plan || !gl)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "gl" : "plan");
+    struct cupola_gl_params wished = params ? *params : (struct cupola_gl_params){.border = {0}};
+    int status = context_check(error);
+    if (status != CUPOLA_OK || (status = check_params(&wished, error)) != CUPOLA_OK)
+        return status;
+    cupola_gl *made = calloc(1, sizeof *made);
+    if (!made)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a cupola_gl (%zu bytes)",
+                         sizeof *made);
+    made->plan = *plan;
+    made->params = wished;
+    struct host_state state;
+    host_state_save(&state);
+    status = create_objects(made, error);
+    if (status != CUPOLA_OK)
+        destroy_objects(made);
+    host_state_restore(&state);
+    if (status != CUPOLA_OK) {
+        free(made);
+        return status;
+    }
+    *gl = made;
+    return CUPOLA_OK;
+}
+
+void cupola_gl_destroy(cupola_gl **gl)
+{
+    if (!gl || !*gl)
+        return;
+    if (epoxy_gl_version() != 0) {
+        if ((*gl)->view_open)
+            cupola_gl_view_end(*gl, NULL);
+        destroy_objects(*gl);
+    }
+    free(*gl);
+    *gl = NULL;
+}

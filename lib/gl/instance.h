@@ -1,0 +1,56 @@
+/*
+ * The inside of a cupola_gl:
+ *
+ *   instance  what there is, made and given back
+ *   views     the atlas and the framebuffers that the host draws into
+ *   passes    tables and warps, one of each per output
+ */
+#ifndef INSTANCE_H
+#define INSTANCE_H
+
+#include <epoxy/gl.h>
+
+#include "cupola/gl.h"
+#include "geometry/plan.h"
+#include "host_state.h"
+
+/* Tables and program of one output. */
+struct warp_pass {
+    GLuint program;
+    GLint target_corner; /* location of the uniform */
+    GLuint table;        /* 0 for the stage none */
+    GLuint points;       /* 0 until asked for; the same as `table` for the stage points */
+};
+
+struct cupola_gl {
+    struct cupola_plan plan;
+    struct cupola_gl_params params;
+    GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
+    GLuint atlas, depth, framebuffer;
+    struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
+    struct cupola_frame frame;
+    bool frame_begun;
+    bool view_open;
+    struct host_target host_target; /* while a view is open */
+};
+
+/* An error unless a context of 3.3 or newer is current. */
+int context_check(struct cupola_error *error);
+
+int views_create(cupola_gl *gl, struct cupola_error *error);
+void views_destroy(cupola_gl *gl);
+
+/* All with the host's state saved already. */
+int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
+void warp_pass_destroy(struct warp_pass *pass);
+
+/* A framebuffer with one colour texture. 0 on failure. */
+GLuint framebuffer_create(GLuint texture);
+
+/* A 2-D texture without mipmaps, clamped to its edge. 0 on failure. */
+GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
+                      struct cupola_error *error);
+
+void draw_fullscreen(GLuint vertex_array);
+
+#endif

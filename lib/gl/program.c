@@ -1,0 +1,181 @@
+/* GL programs from embedded shader files. */
+#include "program.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "error.h"
+#include "shaders.h"
+
+enum { FILES_MAX = 8 };
+
+/*
+ * Every file starts with a #line of its own number, so the compiler's "2:17" is line 17 of the
+ * second file; the message lists the files.
+ */
+static void describe_failure(GLuint object, bool program, const struct shader_file *files,
+                             int count, struct cupola_error *error)
+{
+    char log[512] = "", names[256] = "";
+    if (program)
+        glGetProgramInfoLog(object, sizeof log, NULL, log);
+    else
+        glGetShaderInfoLog(object, sizeof log, NULL, log);
+    for (int i = 0; i < count; i++) {
+        size_t length = strlen(names);
+        snprintf(names + length, sizeof names - length, "%s%d = %s", i ? ", " : "", i + 1,
+                 files[i].name);
+    }
+    for (char *c = log; *c; c++)
+        if (*c == '\n')
+            *c = ' ';
+    error_set(error, CUPOLA_ERROR_GL, "the GL's compiler refused a shader (files: %s): %s", names,
+              log);
+}
+
+static GLuint compile(GLenum kind, const char *defines, const struct shader_file *files, int count,
+                      struct cupola_error *error)
+{
+    const char *texts[2 * FILES_MAX + 2] = {"#version 330 core\n", defines};
+    char lines[FILES_MAX][32];
+    for (int i = 0; i < count; i++) {
+        snprintf(lines[i], sizeof lines[i], "\n#line 1 %d\n", i + 1);
+        texts[2 * i + 2] = lines[i];
+        texts[2 * i + 3] = files[i].text;
+    }
+    GLuint shader = glCreateShader(kind);
+    GLint compiled = GL_FALSE;
+    glShaderSource(shader, 2 * count + 2, texts, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (compiled)
+        return shader;
+    describe_failure(shader, false, files, count, error);
+    glDeleteShader(shader);
+    return 0;
+}
+
+GLuint program_create(const char *defines, const struct shader_file *files, int count,
+                      struct cupola_error *error)
+{
+    static const struct shader_file triangle = {"fullscreen.vert", shader_fullscreen_vert};
+    GLuint vertex = compile(GL_VERTEX_SHADER, "", &triangle, 1, error);
+    if (!vertex)
+        return 0;
+    GLuint fragment = compile(GL_FRAGMENT_SHADER, defines, files, count, error);
+    if (!fragment) {
+        glDeleteShader(vertex);
+        return 0;
+    }
+    GLuint program = glCreateProgram();
+    GLint linked = GL_FALSE;
+    glAttachShader(program, vertex);
+    glAttachShader(program, fragment);
+    glLinkProgram(program);
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked)
+        return program;
+    describe_failure(program, true, files, count, error);
+    glDeleteProgram(program);
+    return 0;
+}
+
+void program_defines(const cupola_dome *dome, int output, int view_count, int stage,
+                     char defines[PROGRAM_DEFINES_MAX])
+{
+    snprintf(defines, PROGRAM_DEFINES_MAX,
+             "#define LENS_ANGULAR %d\n#define LENS_HEMISPHERIC %d\n#define LENS_EQUISOLID %d\n"
+             "#define LENS_STEREOGRAPHIC %d\n#define LENS_POLYNOMIAL %d\n#define LENS_TABLE %d\n"
+             "#define LENS_KNOTS_MAX %d\n#define OUTPUTS_MAX %d\n"
+             "#define STAGE_POINTS %d\n#define STAGE_NONE %d\n#define STAGE_ANGLES %d\n"
+             "#define STAGE_SINES %d\n#define STAGE_COORDINATES %d\n"
+             "#define LENS_MODEL %d\n#define VIEW_COUNT %d\n#define STAGE %d\n",
+             CUPOLA_LENS_ANGULAR, CUPOLA_LENS_HEMISPHERIC, CUPOLA_LENS_EQUISOLID,
+             CUPOLA_LENS_STEREOGRAPHIC, CUPOLA_LENS_POLYNOMIAL, CUPOLA_LENS_TABLE, LENS_KNOTS_MAX,
+             CUPOLA_OUTPUTS_MAX, CUPOLA_TABLE_POINTS, CUPOLA_TABLE_NONE, CUPOLA_TABLE_ANGLES,
+             CUPOLA_TABLE_SINES, CUPOLA_TABLE_COORDINATES, (int)dome->projectors[output].lens.model,
+             view_count, stage);
+}
+
+void program_set_vector(GLuint program, const char *name, const double *values, int count)
+{
+    GLfloat v[4] = {0};
+    GLint location = glGetUniformLocation(program, name);
+    for (int i = 0; i < count; i++)
+        v[i] = (GLfloat)values[i];
+    if (count == 1)
+        glUniform1fv(location, 1, v);
+    else if (count == 2)
+        glUniform2fv(location, 1, v);
+    else if (count == 3)
+        glUniform3fv(location, 1, v);
+    else
+        glUniform4fv(location, 1, v);
+}
+
+void program_set_rotation(GLuint program, const char *name, const double rotation[9])
+{
+    GLfloat m[9];
+    for (int i = 0; i < 9; i++)
+        m[i] = (GLfloat)rotation[i];
+    glUniformMatrix3fv(glGetUniformLocation(program, name), 1, GL_TRUE, m);
+}
+
+static void set_lens(GLuint program, const struct lens *lens)
+{
+    program_set_vector(program, "lens_half_fov", &lens->half_fov, 1);
+    program_set_vector(program, "lens_scale", &lens->scale, 1);
+    program_set_vector(program, "lens_k", lens->k, 4);
+    if (lens->model != CUPOLA_LENS_TABLE)
+        return;
+    const struct lens_table *table = &lens->table;
+    glUniform1i(glGetUniformLocation(program, "lens_knot_count"), table->count);
+    for (int i = 0; i < table->count; i++) {
+        char name[32];
+        const double knot[3] = {table->angle[i], table->radius[i], table->slope[i]};
+        snprintf(name, sizeof name, "lens_knots[%d]", i);
+        program_set_vector(program, name, knot, 3);
+    }
+}
+
+void program_set_projector(GLuint program, const cupola_dome *dome, int output)
+{
+    const struct projector *projector = &dome->projectors[output];
+    const double size[2] = {projector->width_px, projector->height_px};
+    const double cap_cosine = projector->capped ? projector->cap_cosine : -2;
+    set_lens(program, &projector->lens);
+    program_set_vector(program, "output_size", size, 2);
+    program_set_vector(program, "circle_center", projector->center_px, 2);
+    program_set_vector(program, "circle_radius", &projector->radius_px, 1);
+    program_set_vector(program, "circle_sign", projector->sign, 2);
+    program_set_rotation(program, "aim", projector->aim);
+    program_set_vector(program, "projector_position", projector->position_m, 3);
+    program_set_vector(program, "screen_radius", &projector->screen_radius_m, 1);
+    program_set_vector(program, "cap_cosine", &cap_cosine, 1);
+    program_set_rotation(program, "tilt", dome->tilt);
+    program_set_vector(program, "eye", dome->rig.eye_m, 3);
+}
+
+void program_set_views(GLuint program, const cupola_plan *plan)
+{
+    const double atlas[2] = {plan->report.atlas_width_px, plan->report.atlas_height_px};
+    for (int v = 0; v < plan->view_count; v++) {
+        const struct cupola_view *view = &plan->views[v];
+        const double base[4] = {view->left, view->bottom, view->right - view->left,
+                                view->top - view->bottom};
+        const double rect[4] = {view->rect.x / atlas[0], view->rect.y / atlas[1],
+                                view->rect.width / atlas[0], view->rect.height / atlas[1]};
+        char name[32];
+        snprintf(name, sizeof name, "view_selector[%d]", v);
+        program_set_vector(program, name, view->selector, 3);
+        snprintf(name, sizeof name, "view_rotation[%d]", v);
+        program_set_rotation(program, name, view->rotation);
+        snprintf(name, sizeof name, "view_base[%d]", v);
+        program_set_vector(program, name, base, 4);
+        snprintf(name, sizeof name, "view_rect[%d]", v);
+        program_set_vector(program, name, rect, 4);
+    }
+}

@@ -1,0 +1,37 @@
+/* GL programs from embedded shader files. */
+#ifndef PROGRAM_PRIVATE_H
+#define PROGRAM_PRIVATE_H
+
+#include <epoxy/gl.h>
+
+#include "cupola/gl.h"
+#include "geometry/dome.h"
+#include "geometry/plan.h"
+
+/* A file of a fragment shader: its name for messages, and its text. */
+struct shader_file {
+    const char *name;
+    const char *text;
+};
+
+/*
+ * Compiles the full-screen triangle with a fragment shader made of `count` files, `defines` before
+ * them. 0 on failure, with the compiler's words and the file's name in the error.
+ */
+GLuint program_create(const char *defines, const struct shader_file *files, int count,
+                      struct cupola_error *error);
+
+/* Lines that the files of shaders/ rely on. */
+enum { PROGRAM_DEFINES_MAX = 512 };
+void program_defines(const cupola_dome *dome, int output, int view_count, int stage,
+                     char defines[PROGRAM_DEFINES_MAX]);
+
+/* Set the uniforms of lens.glsl, points.glsl and views.glsl; the program must be in use. */
+void program_set_projector(GLuint program, const cupola_dome *dome, int output);
+void program_set_views(GLuint program, const cupola_plan *plan);
+
+/* Numbers to a uniform by name; names that the compiler dropped are ignored. */
+void program_set_vector(GLuint program, const char *name, const double *values, int count);
+void program_set_rotation(GLuint program, const char *name, const double rotation[9]);
+
+#endif

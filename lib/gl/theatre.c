@@ -1,0 +1,233 @@
+/* The simulated theatre: one pass per output, added up. */
+#include "cupola/theatre.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+#include "geometry/vector.h"
+#include "instance.h"
+#include "program.h"
+#include "shaders.h"
+
+static const double pi = 3.14159265358979323846;
+
+struct cupola_theatre {
+    struct cupola_dome dome;
+    GLuint vertex_array;
+    GLuint programs[CUPOLA_OUTPUTS_MAX];
+};
+
+/* What stays the same for every spectator. */
+static void set_furniture(GLuint program, const cupola_dome *dome)
+{
+    const double forward[3] = {0, 0, -1};
+    double gaze[3];
+    cupola_dome_from_camera(dome, forward, gaze);
+    program_set_vector(program, "gaze", gaze, 3);
+    glUniform1i(glGetUniformLocation(program, "projector_count"), dome->rig.output_count);
+    for (int i = 0; i < dome->rig.output_count; i++) {
+        char name[48];
+        double axis[3];
+        transform3(dome->projectors[i].aim, forward, axis);
+        snprintf(name, sizeof name, "projector_positions[%d]", i);
+        program_set_vector(program, name, dome->projectors[i].position_m, 3);
+        snprintf(name, sizeof name, "projector_axes[%d]", i);
+        program_set_vector(program, name, axis, 3);
+    }
+    glUniform1i(glGetUniformLocation(program, "image"), 0);
+}
+
+static int create_programs(cupola_theatre *theatre, struct cupola_error *error)
+{
+    static const struct shader_file files[] = {
+        {"lens.glsl", shader_lens_glsl},
+        {"points.glsl", shader_points_glsl},
+        {"theatre.frag", shader_theatre_frag},
+    };
+    for (int i = 0; i < theatre->dome.rig.output_count; i++) {
+        char defines[PROGRAM_DEFINES_MAX];
+        program_defines(&theatre->dome, i, 1, 0, defines);
+        GLuint program = program_create(defines, files, 3, error);
+        if (!program)
+            return CUPOLA_ERROR_GL;
+        glUseProgram(program);
+        program_set_projector(program, &theatre->dome, i);
+        set_furniture(program, &theatre->dome);
+        theatre->programs[i] = program;
+    }
+    return CUPOLA_OK;
+}
+
+static void destroy_objects(cupola_theatre *theatre)
+{
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        glDeleteProgram(theatre->programs[i]);
+    glDeleteVertexArrays(1, &theatre->vertex_array);
+}
+
+int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
+                          struct cupola_error *error)
+{
+    if (!dome || !theatre)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", dome ? "theatre" : "dome");
+    int status = context_check(error);
+    if (status != CUPOLA_OK)
+        return status;
+    cupola_theatre *made = calloc(1, sizeof *made);
+    if (!made)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a theatre (%zu bytes)",
+                         sizeof *made);
+    made->dome = *dome;
+    struct host_state state;
+    host_state_save(&state);
+    glGenVertexArrays(1, &made->vertex_array);
+    status = create_programs(made, error);
+    host_state_restore(&state);
+    if (status != CUPOLA_OK) {
+        destroy_objects(made);
+        free(made);
+        return status;
+    }
+    *theatre = made;
+    return CUPOLA_OK;
+}
+
+void cupola_theatre_destroy(cupola_theatre **theatre)
+{
+    if (!theatre || !*theatre)
+        return;
+    if (epoxy_gl_version() != 0)
+        destroy_objects(*theatre);
+    free(*theatre);
+    *theatre = NULL;
+}
+
+void cupola_spectator_at_eye(const cupola_dome *dome, struct cupola_spectator *spectator)
+{
+    *spectator = (struct cupola_spectator){.fov_rad = pi / 3};
+    memcpy(spectator->position_m, dome->rig.eye_m, sizeof spectator->position_m);
+    /* The camera's axes in the dome frame are the rows of the rotation from dome to camera. */
+    memcpy(spectator->rotation, dome->tilt, sizeof spectator->rotation);
+}
+
+void cupola_spectator_outside(const cupola_dome *dome, struct cupola_spectator *spectator)
+{
+    const double radius = dome->rig.screen.radius_m;
+    /* To the right of the viewer, above and behind, looking at the middle of the sphere; all in the
+     * host's camera frame, so that up is up for every tilt. */
+    double back[3] = {0.62, 0.5, 0.9}, right[3], up[3] = {0, 1, 0}, camera[9];
+    *spectator = (struct cupola_spectator){.fov_rad = pi / 4, .furniture = true};
+    for (int i = 0; i < 3; i++)
+        spectator->ambient_rgb[i] = 0.06f;
+    scale3(back, 1 / length3(back));
+    cross3(up, back, right);
+    scale3(right, 1 / length3(right));
+    cross3(back, right, up);
+    memcpy(camera, right, sizeof right);
+    memcpy(camera + 3, up, sizeof up);
+    memcpy(camera + 6, back, sizeof back);
+    multiply3(camera, dome->tilt, spectator->rotation);
+    cupola_dome_from_camera(dome, back, spectator->position_m);
+    scale3(spectator->position_m, 3.2 * radius);
+}
+
+static int check_spectator(const struct cupola_spectator *spectator, int width, int height,
+                           struct cupola_error *error)
+{
+    if (!spectator)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "spectator is NULL");
+    if (!(spectator->fov_rad >= 0 && spectator->fov_rad < pi))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "spectator's field of view is %g rad (%g degrees); allowed: above 0 and "
+                         "below %g rad (180 degrees)",
+                         RAD_AND_DEG(spectator->fov_rad), pi);
+    if (width < 1 || height < 1 || width > 32768 || height > 32768)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "picture of the theatre is %d x %d px; allowed: 1 to 32768 each way",
+                         width, height);
+    return CUPOLA_OK;
+}
+
+static void set_spectator(GLuint program, const struct cupola_spectator *spectator,
+                          struct cupola_target place, int width, int height)
+{
+    double fov = spectator->fov_rad == 0 ? pi / 3 : spectator->fov_rad;
+    double axes[9], size[2] = {width, height}, corner[2] = {place.x, place.y};
+    double half[2] = {tan(0.5 * fov) * width / height, tan(0.5 * fov)};
+    double ambient[3];
+    for (int i = 0; i < 3; i++)
+        ambient[i] = (double)spectator->ambient_rgb[i];
+    transpose3(spectator->rotation, axes);
+    program_set_vector(program, "target_corner", corner, 2);
+    program_set_vector(program, "target_size", size, 2);
+    program_set_vector(program, "half_opening", half, 2);
+    program_set_vector(program, "spectator", spectator->position_m, 3);
+    program_set_rotation(program, "spectator_axes", axes);
+    program_set_vector(program, "ambient", ambient, 3);
+    glUniform1i(glGetUniformLocation(program, "furniture"), spectator->furniture);
+}
+
+/* Our own filter for the host's textures: their own settings are not touched. */
+static GLuint bilinear_sampler(void)
+{
+    GLuint sampler = 0;
+    glGenSamplers(1, &sampler);
+    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindSampler(0, sampler);
+    return sampler;
+}
+
+int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
+                        const struct cupola_spectator *spectator, int width, int height,
+                        const struct cupola_target *target, struct cupola_error *error)
+{
+    if (!theatre || !images)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL",
+                         theatre ? "images" : "theatre");
+    int status = check_spectator(spectator, width, height, error);
+    if (status != CUPOLA_OK)
+        return status;
+    struct cupola_target place = target ? *target : (struct cupola_target){0};
+    struct host_state state;
+    host_state_save(&state);
+    GLint equation[2], factors[4];
+    glGetIntegerv(GL_BLEND_EQUATION_RGB, &equation[0]);
+    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation[1]);
+    glGetIntegerv(GL_BLEND_SRC_RGB, &factors[0]);
+    glGetIntegerv(GL_BLEND_DST_RGB, &factors[1]);
+    glGetIntegerv(GL_BLEND_SRC_ALPHA, &factors[2]);
+    glGetIntegerv(GL_BLEND_DST_ALPHA, &factors[3]);
+    glBindFramebuffer(GL_FRAMEBUFFER, place.framebuffer);
+    bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (complete) {
+        GLuint sampler = bilinear_sampler();
+        host_set_area(state.version, place.x, place.y, width, height);
+        glBlendEquation(GL_FUNC_ADD);
+        glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+        for (int i = 0; i < theatre->dome.rig.output_count; i++) {
+            GLuint program = theatre->programs[i];
+            if (i > 0)
+                glEnablei(GL_BLEND, 0);
+            glUseProgram(program);
+            set_spectator(program, spectator, place, width, height);
+            glUniform1i(glGetUniformLocation(program, "first_output"), i == 0);
+            glBindTexture(GL_TEXTURE_2D, images[i]);
+            draw_fullscreen(theatre->vertex_array);
+        }
+        glDisablei(GL_BLEND, 0);
+        glDeleteSamplers(1, &sampler);
+    }
+    glBlendEquationSeparate((GLenum)equation[0], (GLenum)equation[1]);
+    glBlendFuncSeparate((GLenum)factors[0], (GLenum)factors[1], (GLenum)factors[2],
+                        (GLenum)factors[3]);
+    host_state_restore(&state);
+    return complete ? CUPOLA_OK
+                    : error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
+                                place.framebuffer);
+}

@@ -1,0 +1,18 @@
+/*
+ * All of Cupola's core in one line: geometry, plan, GL and the simulated theatre. The file formats
+ * (rig_file.h, image_file.h) are a build option and are included by name.
+ */
+#ifndef CUPOLA_CUPOLA_H
+#define CUPOLA_CUPOLA_H
+
+#include "dome.h"
+#include "error.h"
+#include "gl.h"
+#include "lens.h"
+#include "plan.h"
+#include "reference.h"
+#include "rig.h"
+#include "theatre.h"
+#include "version.h"
+
+#endif

@@ -1,0 +1,181 @@
+/*
+ * The plan: which perspective views are rendered, how large, and which of them each ray falls to.
+ *
+ * A view is an orientation and a base rectangle, where its frustum cuts the plane at distance 1
+ * (the paper's section 3.2.2). All views are rendered from the viewer's eye.
+ *
+ *   asymmetric  all views share one orientation and divide one plane between them: that of the
+ *               host's camera where every ray lies within 80 degrees of it, else the mean seen
+ *               direction. Lighting that depends on the view is the same in every view.
+ *   rotated     every view has an orientation of its own; reaches 180 degrees and more
+ *
+ * Each ray falls to exactly one view, the one for which the product of ray and selector is largest;
+ * a product of a longer ray is longer for all, so rays need no unit length. A view's base rectangle
+ * is fitted to the rays that fall to it and widened by a guard band for the filter's taps.
+ */
+#ifndef CUPOLA_PLAN_H
+#define CUPOLA_PLAN_H
+
+#include <stdbool.h>
+
+#include "dome.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cupola_plan cupola_plan;
+
+enum { CUPOLA_VIEWS_MAX = 8 };
+
+enum cupola_layout {
+    CUPOLA_LAYOUT_AUTO = 0, /* asymmetric where it reaches every ray, else rotated */
+    CUPOLA_LAYOUT_ASYMMETRIC,
+    CUPOLA_LAYOUT_ROTATED,
+};
+
+/* What is wished of a plan. All zero is what most hosts want. */
+struct cupola_plan_params {
+    enum cupola_layout layout;
+    /* 1 to 8. 0: by the paper, 2 where the eye sees up to 90 degrees, 3 up to 140, 4 beyond, and
+     * more only where so few cannot reach every ray. */
+    int views;
+    /* Texels per output pixel along a line, 1/16 to 16: at 1 no output pixel ever gets less than
+     * one texel in any direction ("no loss"), 2 is four times the texels. 0: 1. */
+    double density;
+    /* Length of every view's longer side in texels without guard band, 1 to 16384, instead of a
+     * density. 0: sizes follow from the density. */
+    int view_size_px;
+    int guard_px; /* guard band on each side, texels, 1 to 256; 0: 2, enough for bilinear taps */
+    /* Puts each view's rotation into its projection matrix instead of its view matrix, so that
+     * lighting computed in eye space is the same in every view. */
+    bool rotation_in_projection;
+    int max_texture_px; /* largest side of the atlas, 64 to 32768; 0: 16384 */
+};
+
+struct cupola_rect {
+    int x;
+    int y;
+    int width;
+    int height;
+};
+
+/* One view of a plan. */
+struct cupola_view {
+    /* Rows: the view's right, up and backward axes in the host's camera frame, row-major; so a
+     * camera-frame vector v is rotation v in the view's frame. */
+    double rotation[9];
+    double selector[3]; /* host's camera frame; see above */
+    /* Base rectangle at distance 1, guard band included. */
+    double left, right, bottom, top;
+    struct cupola_rect rect; /* its place in the atlas, texels, guard band included */
+};
+
+/* What a plan costs and why it is as it is. "Per pixel" is per pixel of the image circles. */
+struct cupola_plan_report {
+    enum cupola_layout layout; /* never AUTO */
+    int views;
+    int atlas_width_px;
+    int atlas_height_px;
+    double pixels;                     /* lit pixels of all outputs, partial ones in part */
+    double texels_allocated_per_pixel; /* of the whole atlas */
+    double texels_shaded_per_pixel;    /* of the views, guard bands included */
+    double texels_sampled_per_pixel;   /* of the part of the views that the pixels cover */
+    double least_texels_per_pixel; /* over all pixels and directions, along a line; 1 is no loss */
+    double seen_fov_rad;           /* full opening of the rays round their mean direction */
+    char reason[256];              /* one sentence */
+};
+
+/*
+ * Plans the views for a dome and the eye of its rig. Nothing of the dome is kept.
+ *
+ * params   NULL: all zero
+ * plan     out: to be given to cupola_plan_destroy; untouched on failure
+ * error    may be NULL
+ * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT for a parameter outside of its range or an atlas that
+ *          would be too large; CUPOLA_ERROR_LAYOUT where the layout cannot reach every ray, with
+ * the one that can; CUPOLA_ERROR_MEMORY thread   any since    0.1
+ */
+CUPOLA_API int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params *params,
+                                  cupola_plan **plan, struct cupola_error *error);
+
+/* Destroys a plan and sets the handle to NULL; NULL and a handle that is NULL are allowed. */
+CUPOLA_API void cupola_plan_destroy(cupola_plan **plan);
+
+/*
+ * The views of a plan: their number, one of them (NULL for an index outside), and the dome.
+ * All live as long as the plan.
+ *
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API int cupola_plan_view_count(const cupola_plan *plan);
+CUPOLA_API const struct cupola_view *cupola_plan_view(const cupola_plan *plan, int index);
+CUPOLA_API const cupola_dome *cupola_plan_dome(const cupola_plan *plan);
+CUPOLA_API const struct cupola_plan_report *cupola_plan_report(const cupola_plan *plan);
+
+/*
+ * The view that a ray falls to.
+ *
+ * direction  host's camera frame, from the eye, any length
+ * returns    an index, 0 to view count - 1
+ * thread     any
+ * since      0.1
+ */
+CUPOLA_API int cupola_plan_select(const cupola_plan *plan, const double direction[3]);
+
+/*
+ * Where a ray meets a view, in continuous texels of the atlas, origin bottom left.
+ *
+ * index      of the view
+ * direction  host's camera frame, any length
+ * texel      out: {x, y}; untouched unless 1 is returned
+ * returns    1; 0 if the ray does not meet the view's plane (it points backwards);
+ *            CUPOLA_ERROR_ARGUMENT for a view that is not there
+ * thread     any
+ * since      0.1
+ */
+CUPOLA_API int cupola_plan_texel(const cupola_plan *plan, int index, const double direction[3],
+                                 double texel[2]);
+
+/* What a host needs to draw one view. */
+struct cupola_camera {
+    /* Column-major. clip = projection view x, x in the host's camera frame in scene units; a host
+     * appends its own camera matrix: projection view host. */
+    float view[16];
+    float projection[16];
+    /* Left, right, bottom, top, near, far: a x + b y + c z + d >= 0 inside; (a, b, c) has unit
+     * length; host's camera frame, scene units. */
+    float planes[6][4];
+};
+
+/*
+ * Matrices and frustum planes of one view.
+ *
+ * near_distance, far_distance
+ *            distances along the view's axis, scene units, 0 < near < far, both finite. Rays at the
+ *            corner of a wide view are up to six times as long as their depth.
+ * camera     out
+ * returns    CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * thread     any
+ * since      0.1
+ */
+CUPOLA_API int cupola_plan_camera(const cupola_plan *plan, int index, double near_distance,
+                                  double far_distance, struct cupola_camera *camera,
+                                  struct cupola_error *error);
+
+/*
+ * The name of a layout as on command lines, and the way back (CUPOLA_ERROR_ARGUMENT if there is
+ * none); the name is NULL for a number that is no layout.
+ *
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API const char *cupola_layout_name(int layout);
+CUPOLA_API int cupola_layout_find(const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

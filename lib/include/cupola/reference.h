@@ -1,0 +1,49 @@
+/*
+ * The warp in plain C over float images: slow, obvious, and the oracle of everything that runs on
+ * a GPU. It has no GL in it.
+ */
+#ifndef CUPOLA_REFERENCE_H
+#define CUPOLA_REFERENCE_H
+
+#include "plan.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * Warps an atlas of views into an output's image, as cupola_gl_warp does.
+ *
+ * output  index
+ * atlas   RGBA floats, rows from the bottom up, of the size in the plan's report
+ * border  RGBA of pixels that are not lit; NULL: all zero
+ * image   out: RGBA floats, rows from the bottom up, of the output's size
+ * returns CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * thread  any
+ * since   0.1
+ */
+CUPOLA_API int cupola_reference_warp(const cupola_plan *plan, int output, const float *atlas,
+                                     const float border[4], float *image);
+
+/*
+ * Draws the views themselves from a function of the ray, so that a whole dome image can be made
+ * without a GPU.
+ *
+ * color   called once per texel of every view with the unit direction from the eye (host's camera
+ *         frame); writes RGBA
+ * user    handed to `color`
+ * atlas   out: as in cupola_reference_warp; texels outside of every view become zero
+ * returns CUPOLA_OK
+ * thread  any; `color` is called on the same thread
+ * since   0.1
+ */
+CUPOLA_API int cupola_reference_views(const cupola_plan *plan,
+                                      void (*color)(const double direction[3], float rgba[4],
+                                                    void *user),
+                                      void *user, float *atlas);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,74 @@
+/*
+ * The simulated theatre: an output's image thrown by the simulated projectors onto the simulated
+ * screen, seen by a camera. With the camera at the eye of a right rig it shows what a plain
+ * perspective rendering of the scene shows, and that is the end-to-end test of everything else.
+ *
+ * Rules of the context, of threads and of state as in gl.h.
+ */
+#ifndef CUPOLA_THEATRE_H
+#define CUPOLA_THEATRE_H
+
+#include "gl.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cupola_theatre cupola_theatre;
+
+/*
+ * Builds the theatre of a dome. Nothing of the dome is kept.
+ *
+ * theatre  out: to be given to cupola_theatre_destroy; untouched on failure
+ * error    may be NULL
+ * returns  CUPOLA_OK; CUPOLA_ERROR_CONTEXT; CUPOLA_ERROR_MEMORY; CUPOLA_ERROR_GL
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
+                                     struct cupola_error *error);
+
+/* As cupola_gl_destroy. */
+CUPOLA_API void cupola_theatre_destroy(cupola_theatre **theatre);
+
+/* Who looks at the theatre. */
+struct cupola_spectator {
+    double position_m[3]; /* dome frame; inside or outside of the sphere */
+    double rotation[9];   /* rows: its right, up and backward axes in the dome frame */
+    double fov_rad;       /* vertical opening, above 0 and below pi; 0: 60 degrees */
+    bool furniture;       /* draws projectors, viewer and the outside of the screen, too */
+    float ambient_rgb[3]; /* light on an unlit screen; all zero: black */
+};
+
+/*
+ * A spectator at the rig's eye who looks the way the host's camera does; and one who stands
+ * outside, behind and above the viewer, with the whole theatre in sight.
+ *
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API void cupola_spectator_at_eye(const cupola_dome *dome,
+                                        struct cupola_spectator *spectator);
+CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
+                                         struct cupola_spectator *spectator);
+
+/*
+ * Draws what the spectator sees.
+ *
+ * images   names of GL_TEXTURE_2D, one per output of the rig, of the outputs' sizes; sampled
+ *          bilinearly
+ * width    of the rectangle drawn, px, 1 to 32768
+ * target   its framebuffer and lower left corner; NULL: all zero
+ * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_GL
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
+                                   const struct cupola_spectator *spectator, int width, int height,
+                                   const struct cupola_target *target, struct cupola_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,40 @@
+// Which view a ray falls to and where it meets it; lib/geometry/views.c says the same under the same
+// names. VIEW_COUNT is set by the program that includes this.
+
+uniform vec3 view_selector[VIEW_COUNT];
+uniform mat3 view_rotation[VIEW_COUNT]; // host's camera frame to view frame
+uniform vec4 view_base[VIEW_COUNT];     // left, bottom, width, height of the base rectangle
+uniform vec4 view_rect[VIEW_COUNT];     // the same of its place in the atlas, 0 to 1
+
+int view_select(vec3 ray)
+{
+    int selected = 0;
+    float most = dot(view_selector[0], ray);
+    for (int i = 1; i < VIEW_COUNT; i++) {
+        float product = dot(view_selector[i], ray);
+        if (product > most) {
+            most = product;
+            selected = i;
+        }
+    }
+    return selected;
+}
+
+vec2 view_hit(int view, vec3 ray)
+{
+    vec3 q = view_rotation[view] * ray;
+    return q.xy / -q.z;
+}
+
+// From the base plane to coordinates in the atlas, 0 to 1.
+vec2 view_texel(int view, vec2 base)
+{
+    vec2 place = (base - view_base[view].xy) / view_base[view].zw;
+    return view_rect[view].xy + place * view_rect[view].zw;
+}
+
+vec2 atlas_place(vec3 ray)
+{
+    int view = view_select(ray);
+    return view_texel(view, view_hit(view, ray));
+}

@@ -1,0 +1,273 @@
+/*
+ * Every wrong option and every failure of the demo: one line on stderr that names the thing and
+ * what is allowed, the right exit status, and no file left behind.
+ */
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "check.h"
+#include "process.h"
+
+enum { FAILED = 1, USAGE = 2 };
+
+struct wrong {
+    const char *command;
+    const char *thing;   /* what the line must name */
+    const char *allowed; /* and what it must say of what is allowed */
+};
+
+static struct process process;
+
+static void check_wrong(const struct wrong *wrong, int status, const char *setting)
+{
+    int files = process_count_files();
+    size_t length;
+
+    process_run(&process, wrong->command, setting);
+    length = strlen(process.err);
+    if (process.status != status || strncmp(process.err, "cupola-demo: ", 13) != 0 ||
+        strchr(process.err, '\n') != process.err + length - 1 ||
+        !strstr(process.err, wrong->thing) || !strstr(process.err, wrong->allowed)) {
+        print_error("cupola-demo %s\nexit status %d, expected %d; expected '%s' and '%s' in:\n%s",
+                    wrong->command, process.status, status, wrong->thing, wrong->allowed,
+                    process.err);
+        fail();
+    }
+    assert_string_equal(process.out, "");
+    assert_int_equal(process_count_files(), files);
+}
+
+static void check_all(const struct wrong *wrongs, size_t count, int status)
+{
+    for (size_t i = 0; i < count; i++)
+        check_wrong(&wrongs[i], status, NULL);
+}
+
+#define CHECK_ALL(wrongs, status) check_all(wrongs, sizeof(wrongs) / sizeof *(wrongs), status)
+
+static void wrong_options_are_usage_errors(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--bogus", "'--bogus'", "--help"},      {"-x", "'-x'", "--help"},
+        {"--fov", "--fov", "needs a value"},     {"--flat=1", "--flat=1", "no value"},
+        {"a.obj b.obj", "'b.obj'", "one MODEL"},
+    };
+    (void)state;
+    CHECK_ALL(wrongs, USAGE);
+}
+
+static void a_wrong_number_names_option_value_and_range(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--fov abc", "--fov: 'abc'", "above 0 and up to 360"},
+        {"--fov 90x", "--fov: '90x'", "above 0 and up to 360"},
+        {"--fov 9,5", "--fov: '9,5'", "above 0 and up to 360"},
+        {"--fov nan", "--fov: 'nan'", "above 0 and up to 360"},
+        {"--fov inf", "--fov: 'inf'", "above 0 and up to 360"},
+        {"--fov 1e999", "--fov: '1e999'", "above 0 and up to 360"},
+        {"--fov 0x10", "--fov: '0x10'", "above 0 and up to 360"},
+        {"--fov 0", "--fov: '0'", "above 0 and up to 360"},
+        {"--fov 360.1", "--fov: '360.1'", "above 0 and up to 360"},
+        {"--tilt 181", "--tilt: '181'", "-180 to 180"},
+        {"--cap 0", "--cap: '0'", "above 0 and up to 180"},
+        {"--radius -1", "--radius: '-1'", "above 0 and up to 1000"},
+        {"--density 0", "--density: '0'", "0.0625 to 16"},
+        {"--view-size 0", "--view-size: '0'", "1 to 16384"},
+        {"--guard 1.5", "--guard: '1.5'", "1 to 256"},
+        {"--views 0", "--views: '0'", "auto or a whole number, 1 to 8"},
+        {"--views many", "--views: 'many'", "auto or a whole number, 1 to 8"},
+        {"--frames 0", "--frames: '0'", "1 to 1000000"},
+        {"--frames 99999999999999999999", "--frames", "1 to 1000000"},
+        {"--monitor -1", "--monitor: '-1'", "0 to 63"},
+        {"--swap-interval x", "--swap-interval: 'x'", "0 to 60"},
+        {"--size 10", "--size: '10'", "WxH"},
+        {"--size 0x10", "--size: '0x10'", "1 to 32768"},
+        {"--size 10x99999", "--size: '10x99999'", "1 to 32768"},
+        {"--size 1.5x2", "--size: '1.5x2'", "whole numbers"},
+    };
+    (void)state;
+    CHECK_ALL(wrongs, USAGE);
+}
+
+static void a_vector_has_all_its_components(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--camera 1,2", "--camera: '1,2'", "X,Y,Z"},
+        {"--camera 1,2,3,4", "--camera: '1,2,3,4'", "X,Y,Z"},
+        {"--look 1,,3", "--look: '1,,3'", "X,Y,Z"},
+        {"--up 1,2,nan", "--up: '1,2,nan'", "X,Y,Z"},
+        {"--viewer 1,2,3m", "--viewer: '1,2,3m'", "X,Y,Z"},
+        {"--projector ,,", "--projector: ',,'", "X,Y,Z"},
+        {"--projector-aim 1,2", "--projector-aim: '1,2'", "YAW,PITCH,ROLL"},
+        {"--lens-k 1,2,3", "--lens-k: '1,2,3'", "K1,K3,K5,K7"},
+        {"--circle 1,2", "--circle: '1,2'", "CX,CY,R"},
+        {"--circle 1,2,0", "--circle", "above 0"},
+    };
+    (void)state;
+    CHECK_ALL(wrongs, USAGE);
+}
+
+static void an_unknown_name_is_answered_with_the_known_ones(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--scene moon", "--scene: 'moon'", "cube, directions, screen"},
+        {"--preset moon", "--preset: 'moon'", "visionstation, domemaster, truncated-16x10"},
+        {"--lens moon", "--lens: 'moon'",
+         "angular, hemispheric, equisolid, stereographic, polynomial, table"},
+        {"--flip z", "--flip: 'z'", "x, y, xy"},
+        {"--layout moon", "--layout: 'moon'", "asymmetric, rotated"},
+        {"--table moon", "--table: 'moon'", "none, angles, sines, coordinates"},
+        {"--preview moon", "--preview: 'moon'", "eye, outside"},
+        {"--output moon.jpg", "--output: 'moon.jpg'", "FILE.png or FILE.pfm"},
+        {"--output png", "--output: 'png'", "FILE.png or FILE.pfm"},
+    };
+    (void)state;
+    CHECK_ALL(wrongs, USAGE);
+}
+
+static void options_that_contradict_each_other_are_refused(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--density 1 --view-size 100", "--density and --view-size", "one of them"},
+        {"--scene cube a.obj", "--scene and a MODEL", "one of them"},
+        {"--perspective --views-only", "--views-only", "one of"},
+        {"--preview eye --perspective", "--perspective", "one of"},
+        {"--lens-k 1,0,0,0", "--lens-k", "--lens polynomial"},
+        {"--lens angular --lens-k 1,0,0,0", "--lens-k", "--lens polynomial"},
+        {"--lens polynomial", "--lens polynomial", "--lens-k"},
+        {"--lens table", "--lens table", "--lens-table"},
+        {"--lens angular --lens-table x.csv", "--lens-table", "--lens table"},
+        {"--perspective", "--perspective: a fov of 180", "up to 170"},
+        {"--perspective --fov 170.5", "--perspective: a fov of 170.5", "up to 170"},
+        {"--headless --fullscreen", "--fullscreen", "--headless"},
+        {"--output x.png --monitor 0", "--monitor", "--output"},
+        {"--look 0,0,0", "--look: 0,0,0", "another point"},
+        {"--up 0,0,0", "--up: 0,0,0", "a direction"},
+        {"--up 0,0,2", "--up: 0,0,2", "beside"},
+        {"--look 0,5,0", "--up: 0,1,0", "beside"},
+    };
+    (void)state;
+    CHECK_ALL(wrongs, USAGE);
+}
+
+static void an_impossible_rig_is_a_failure(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--headless --viewer 0,0,2", "eye", "inside"},
+        {"--headless --projector 0,1,0", "position", "inside"},
+        {"--headless --lens hemispheric --fov 200", "200", "180"},
+        {"--headless --lens stereographic --fov 360", "360", "360"},
+        {"--headless --lens polynomial --lens-k 1,-3,0,0", "polynomial", "increas"},
+        {"--headless --layout asymmetric", "asymmetric", "rotated"},
+        {"--headless --views 1", "1", "rotated"},
+    };
+    (void)state;
+    CHECK_ALL(wrongs, FAILED);
+}
+
+static void a_broken_file_is_named_with_its_line(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--rig none.rig", "none.rig", "No such file"},
+        {"--rig broken.rig", "broken.rig:2", ""},
+        {"--rig unknown.rig", "unknown.rig:1", "moon"},
+        {"--lens-table none.csv", "none.csv", "No such file"},
+        {"--lens-table header.csv", "header.csv:1", "allowed: 2 to 64 lines"},
+        {"--lens-table text.csv", "text.csv:2", "two numbers"},
+        {"--lens-table order.csv", "order.csv:4", "grow"},
+        {"--lens-table range.csv", "range.csv:3", "0 to 180"},
+        {"--headless none.obj", "none.obj", "No such file"},
+        {"--headless broken.obj", "broken.obj", ""},
+        {"--headless broken.ply", "broken.ply", ""},
+        {"--headless empty.obj", "empty.obj", ""},
+        {"--headless text.csv", "text.csv", ""},
+        {"--headless .", ".", ""},
+    };
+    (void)state;
+    process_write_file("broken.rig", "tilt_deg = 0;\ntilt_deg = = 2;\n");
+    process_write_file("unknown.rig", "moon = 1;\n");
+    process_write_file("header.csv", "angle_deg,radius\n");
+    process_write_file("text.csv", "angle_deg,radius\nmoon,1\n");
+    process_write_file("order.csv", "0,0\n10,0.1\n\n5,0.2\n");
+    process_write_file("range.csv", "# measured\n0,0\n190,1\n");
+    process_write_file("broken.obj", "f 1 2 3\nthis is no model\n");
+    process_write_file("broken.ply", "ply\nformat ascii 1.0\nelement vertex 99\n");
+    process_write_file("empty.obj", "");
+    CHECK_ALL(wrongs, FAILED);
+}
+
+static void an_unwritable_output_is_a_failure(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--output none/x.png", "--output: none/x.png", "No such file"},
+        {"--output folder.png", "--output: folder.png", "plain"},
+        {"--output folder.png/x.pfm --stats none/x.json", "none/x.json", "No such file"},
+        {"--output x.png --save-rig none/x.rig", "none/x.rig", "No such file"},
+        {"--size 32x32 --output /proc/x.png", "/proc/x.png", ""},
+        {"--size 32x32 --output x.png --stats /proc/x.json", "/proc/x.json", ""},
+        {"--size 32x32 --output x.png --save-rig /proc/x.rig", "/proc/x.rig", ""},
+    };
+    (void)state;
+    assert_int_equal(mkdir("folder.png", 0777), 0);
+    CHECK_ALL(wrongs, FAILED);
+}
+
+static void an_old_gl_is_named_with_what_is_needed(void **state)
+{
+    static const struct wrong wrong = {"--size 32x32 --output kept.png", "2.1", "3.3"};
+
+    (void)state;
+    process_write_file("kept.png", "a picture from yesterday");
+    check_wrong(&wrong, FAILED, "MESA_GL_VERSION_OVERRIDE=2.1");
+    assert_true(process_file_is("kept.png", "a picture from yesterday"));
+}
+
+static void a_failure_leaves_an_older_picture_alone(void **state)
+{
+    static const struct wrong wrong = {"--output kept.png none.obj", "none.obj", "No such file"};
+
+    (void)state;
+    process_write_file("kept.png", "a picture from yesterday");
+    check_wrong(&wrong, FAILED, NULL);
+    assert_true(process_file_is("kept.png", "a picture from yesterday"));
+}
+
+static void a_window_wish_without_a_display_is_a_failure(void **state)
+{
+    static const struct wrong wrong = {"--fullscreen", "display", "DISPLAY"};
+
+    (void)state;
+    check_wrong(&wrong, FAILED, NULL);
+}
+
+static void help_and_version_are_no_errors(void **state)
+{
+    (void)state;
+    process_run(&process, "--help", NULL);
+    assert_int_equal(process.status, 0);
+    assert_non_null(strstr(process.out, "--projector-aim YAW,PITCH,ROLL"));
+    assert_string_equal(process.err, "");
+    process_run(&process, "--version", NULL);
+    assert_int_equal(process.status, 0);
+    assert_non_null(strstr(process.out, "cupola-demo "));
+}
+
+int main(void)
+{
+    const struct CMUnitTest errors[] = {
+        cmocka_unit_test(wrong_options_are_usage_errors),
+        cmocka_unit_test(a_wrong_number_names_option_value_and_range),
+        cmocka_unit_test(a_vector_has_all_its_components),
+        cmocka_unit_test(an_unknown_name_is_answered_with_the_known_ones),
+        cmocka_unit_test(options_that_contradict_each_other_are_refused),
+        cmocka_unit_test(an_impossible_rig_is_a_failure),
+        cmocka_unit_test(a_broken_file_is_named_with_its_line),
+        cmocka_unit_test(an_unwritable_output_is_a_failure),
+        cmocka_unit_test(an_old_gl_is_named_with_what_is_needed),
+        cmocka_unit_test(a_failure_leaves_an_older_picture_alone),
+        cmocka_unit_test(a_window_wish_without_a_display_is_a_failure),
+        cmocka_unit_test(help_and_version_are_no_errors),
+    };
+    return cmocka_run_group_tests(errors, process_enter_directory, process_leave_directory);
+}

@@ -1,0 +1,123 @@
+/* Runs the demo as a user does. */
+#include "process.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "check.h"
+
+enum { ARGUMENTS_MAX = 64 };
+
+static char directory[] = "/tmp/cupola-cli-XXXXXX";
+
+static void read_back(FILE *file, char *text, size_t text_size)
+{
+    size_t length;
+
+    rewind(file);
+    length = fread(text, 1, text_size - 1, file);
+    text[length] = 0;
+    fclose(file);
+}
+
+static void become(char **arguments, const char *setting, FILE *out, FILE *err)
+{
+    char copy[200];
+    char *equals;
+
+    unsetenv("DISPLAY");
+    unsetenv("WAYLAND_DISPLAY");
+    if (setting) {
+        snprintf(copy, sizeof copy, "%s", setting);
+        equals = strchr(copy, '=');
+        *equals = 0;
+        setenv(copy, equals + 1, 1);
+    }
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    dup2(fileno(out), STDOUT_FILENO);
+    dup2(fileno(err), STDERR_FILENO);
+    execv(arguments[0], arguments);
+    _exit(127);
+}
+
+void process_run(struct process *process, const char *command, const char *setting)
+{
+    char copy[2000];
+    char *arguments[ARGUMENTS_MAX] = {getenv("CUPOLA_DEMO")};
+    int count = 1, status = 0;
+    FILE *out = tmpfile(), *err = tmpfile();
+    pid_t child;
+
+    assert_non_null(arguments[0]);
+    assert_non_null(out);
+    assert_non_null(err);
+    snprintf(copy, sizeof copy, "%s", command);
+    for (char *word = strtok(copy, " "); word; word = strtok(NULL, " ")) {
+        assert_true(count < ARGUMENTS_MAX - 1);
+        arguments[count++] = word;
+    }
+    fflush(NULL);
+    child = fork();
+    assert_true(child >= 0);
+    if (child == 0)
+        become(arguments, setting, out, err);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    process->status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    read_back(out, process->out, sizeof process->out);
+    read_back(err, process->err, sizeof process->err);
+}
+
+int process_enter_directory(void **state)
+{
+    (void)state;
+    strcpy(directory, "/tmp/cupola-cli-XXXXXX");
+    return mkdtemp(directory) && chdir(directory) == 0 ? 0 : -1;
+}
+
+int process_leave_directory(void **state)
+{
+    char command[100];
+
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf '%s'", directory);
+    return chdir("/") == 0 && system(command) == 0 ? 0 : -1;
+}
+
+int process_count_files(void)
+{
+    int count = 0;
+    DIR *here = opendir(".");
+
+    assert_non_null(here);
+    while (readdir(here))
+        count++;
+    closedir(here);
+    return count;
+}
+
+void process_write_file(const char *name, const char *text)
+{
+    FILE *file = fopen(name, "w");
+
+    assert_non_null(file);
+    assert_int_equal(fwrite(text, 1, strlen(text), file), strlen(text));
+    assert_int_equal(fclose(file), 0);
+}
+
+bool process_file_is(const char *name, const char *text)
+{
+    char found[4096];
+    size_t length;
+    FILE *file = fopen(name, "r");
+
+    if (!file)
+        return false;
+    length = fread(found, 1, sizeof found, file);
+    fclose(file);
+    return length == strlen(text) && memcmp(found, text, length) == 0;
+}
