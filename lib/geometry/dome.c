@@ -114,14 +114,17 @@ int cupola_dome_pixel(const cupola_dome *dome, int output, const double eye_m[3]
     const double *eye = check_question(dome, output, eye_m);
     if (!eye || !direction || !pixel_px)
         return CUPOLA_ERROR_ARGUMENT;
-    double length = length3(direction);
-    if (!(length > 0 && isfinite(length)))
+    /* By the largest component first: the square of a short vector may be no number of its own. */
+    double largest = fmax(fmax(fabs(direction[0]), fabs(direction[1])), fabs(direction[2]));
+    if (!(largest > 0 && isfinite(direction[0]) && isfinite(direction[1]) &&
+          isfinite(direction[2])))
         return CUPOLA_ERROR_ARGUMENT;
 
     const struct projector *projector = &dome->projectors[output];
     double u[3], at_lens[3], found[2];
-    transform3_back(dome->tilt, direction, u);
-    scale3(u, 1 / length);
+    double scaled[3] = {direction[0] / largest, direction[1] / largest, direction[2] / largest};
+    transform3_back(dome->tilt, scaled, u);
+    scale3(u, 1 / length3(u));
     double radius = dome->rig.screen.radius_m;
     double along = dot3(eye, u);
     double t = sqrt(along * along - dot3(eye, eye) + radius * radius) - along;

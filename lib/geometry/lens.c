@@ -180,7 +180,7 @@ double lens_radius(const struct lens *lens, double angle)
     case CUPOLA_LENS_TABLE:
         return lens_table_radius(&lens->table, angle);
     }
-    return NAN;
+    return nan("");
 }
 
 double lens_angle(const struct lens *lens, double r)
@@ -199,7 +199,7 @@ double lens_angle(const struct lens *lens, double r)
     case CUPOLA_LENS_TABLE:
         return fmin(lens_table_angle(&lens->table, r), lens->half_fov);
     }
-    return NAN;
+    return nan("");
 }
 
 double lens_angle_slope(const struct lens *lens, double r)
@@ -222,7 +222,7 @@ double lens_angle_slope(const struct lens *lens, double r)
     case CUPOLA_LENS_TABLE:
         return 1 / fmax(lens_table_slope(&lens->table, lens_angle(lens, r)), least_cosine);
     }
-    return NAN;
+    return nan("");
 }
 
 int cupola_lens_validate(const struct cupola_lens *lens, struct cupola_error *error)
@@ -237,7 +237,7 @@ double cupola_lens_radius(const struct cupola_lens *lens, double angle_rad)
 {
     struct lens prepared;
     if (!lens || lens_prepare(lens, &prepared, NULL) != CUPOLA_OK || isnan(angle_rad))
-        return NAN;
+        return nan("");
     return angle_rad >= prepared.half_fov ? 1 : lens_radius(&prepared, fmax(angle_rad, 0));
 }
 
@@ -245,6 +245,6 @@ double cupola_lens_angle(const struct cupola_lens *lens, double radius)
 {
     struct lens prepared;
     if (!lens || lens_prepare(lens, &prepared, NULL) != CUPOLA_OK || isnan(radius))
-        return NAN;
+        return nan("");
     return radius >= 1 ? prepared.half_fov : lens_angle(&prepared, fmax(radius, 0));
 }

@@ -194,7 +194,7 @@ static void report_costs(const struct planning *planning, cupola_plan *plan)
 {
     struct cupola_plan_report *report = &plan->report;
     double shaded = 0, sampled = 0;
-    report->least_texels_per_pixel = INFINITY;
+    report->least_texels_per_pixel = HUGE_VAL;
     for (int v = 0; v < plan->view_count; v++) {
         const struct cupola_view *view = &plan->views[v];
         const struct plan_view_fit *fit = &planning->fit.views[v];

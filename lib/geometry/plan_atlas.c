@@ -42,7 +42,7 @@ int plan_atlas_pack(struct cupola_view *views, int count, int max_px, int *width
 {
     enum { WIDTHS = 64 };
     int widest = 0;
-    double total = 0, best_area = INFINITY;
+    double total = 0, best_area = HUGE_VAL;
     for (int v = 0; v < count; v++) {
         if (views[v].rect.width > widest)
             widest = views[v].rect.width;
@@ -64,7 +64,7 @@ int plan_atlas_pack(struct cupola_view *views, int count, int max_px, int *width
             views[rects[v].id].rect.y = rects[v].y;
         }
     }
-    if (isfinite(best_area))
+    if (best_area < HUGE_VAL)
         return CUPOLA_OK;
     return error_set(error, CUPOLA_ERROR_ARGUMENT,
                      "%d views, the widest of them %d texels, do not fit into an atlas of %d x %d "

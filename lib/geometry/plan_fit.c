@@ -82,8 +82,8 @@ static size_t fit_rectangle(const struct plan_rays *rays, const struct cupola_vi
                             struct plan_footprint *footprints, double core[4])
 {
     size_t count = 0;
-    core[0] = core[2] = INFINITY;
-    core[1] = core[3] = -INFINITY;
+    core[0] = core[2] = HUGE_VAL;
+    core[1] = core[3] = -HUGE_VAL;
     for (int g = 0; g < rays->count; g++) {
         const struct plan_grid *grid = &rays->grids[g];
         size_t corner_count = (size_t)(grid->columns + 1) * (size_t)(grid->rows + 1);
@@ -115,7 +115,7 @@ static void fit_view(const struct plan_rays *rays, const struct cupola_view *vie
         for (int i = 0; i < 2; i++)
             fit->density[i] *= sizing->density * density_margin;
     }
-    fit->least_texels_per_pixel = INFINITY;
+    fit->least_texels_per_pixel = HUGE_VAL;
     for (size_t i = 0; i < count; i++)
         fit->least_texels_per_pixel =
             fmin(fit->least_texels_per_pixel, plan_density_reached(&footprints[i], fit->density));

@@ -84,8 +84,8 @@ static void look_along_mean(const double mean[3], double rotation[9])
 static void plane_extent(const struct plan_rays *rays, const double rotation[9], int axis,
                          double *least, double *largest)
 {
-    *least = INFINITY;
-    *largest = -INFINITY;
+    *least = HUGE_VAL;
+    *largest = -HUGE_VAL;
     for (int g = 0; g < rays->count; g++) {
         const struct plan_grid *grid = &rays->grids[g];
         for (int row = 0; row < grid->rows; row++)

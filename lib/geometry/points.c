@@ -103,12 +103,13 @@ double edge_coverage(double distance_px, double normal_x, double normal_y)
 double pixel_coverage(const struct projector *projector, double x_px, double y_px,
                       const struct varying *point)
 {
-    if (!(x_px >= 0 && x_px <= projector->width_px && y_px >= 0 && y_px <= projector->height_px))
-        return 0;
+    double across = fmin(x_px + 0.5, projector->width_px) - fmax(x_px - 0.5, 0);
+    double up = fmin(y_px + 0.5, projector->height_px) - fmax(y_px - 0.5, 0);
+    double framed = fmax(across, 0) * fmax(up, 0);
     double x = x_px - projector->center_px[0], y = y_px - projector->center_px[1];
     double rim = edge_coverage(projector->radius_px - hypot(x, y), x, y);
     if (!projector->capped)
-        return rim;
+        return framed * rim;
     /* Inside of the cap is where -D.z / R lies above its cosine. Where both edges coincide, as for
      * a centred projector, the pixel is cut once: the smaller part counts, not the product. */
     double radius = projector->screen_radius_m;
@@ -116,7 +117,7 @@ double pixel_coverage(const struct projector *projector, double x_px, double y_p
     double excess = -point->at[2] / radius - projector->cap_cosine;
     double steepness = hypot(gradient[0], gradient[1]);
     double distance = excess / fmax(steepness, 1e-12);
-    return fmin(rim, edge_coverage(distance, gradient[0], gradient[1]));
+    return framed * fmin(rim, edge_coverage(distance, gradient[0], gradient[1]));
 }
 
 bool lens_pixel(const struct projector *projector, const double direction[3], double pixel_px[2])

@@ -19,18 +19,19 @@
  * for each new one, so a file of a megabyte might keep it busy for seconds. */
 enum { FILE_SIZE_MAX = 256 * 1024 };
 
-/* Gives each number of the tree its text. Trees are at most as deep as rig_text_open allows. */
-static int attach_numbers(config_setting_t *setting, struct rig_text *text)
+/* Gives each number and string of the tree its text. Trees are at most as deep as rig_text_open
+ * allows. */
+static int attach_values(config_setting_t *setting, struct rig_text *text)
 {
     if (config_setting_is_number(setting)) {
-        const char *number = rig_text_next_number(text);
-        config_setting_set_hook(setting, (void *)(uintptr_t)number);
-        return number ? 0 : -1;
+        const char *value = rig_text_next_value(text);
+        config_setting_set_hook(setting, (void *)(uintptr_t)value);
+        return value ? 0 : -1;
     }
     if (!config_setting_is_aggregate(setting))
         return 0;
     for (int i = 0; i < config_setting_length(setting); i++)
-        if (attach_numbers(config_setting_get_elem(setting, (unsigned)i), text) != 0)
+        if (attach_values(config_setting_get_elem(setting, (unsigned)i), text) != 0)
             return -1;
     return 0;
 }
@@ -66,10 +67,10 @@ static int parse(const char *text, const char *name, struct cupola_rig *rig,
     config_init(&config);
     if (!config_read_string(&config, opened.structure))
         status = explain(&config, text, name, error);
-    else if (attach_numbers(config_root_setting(&config), &opened) != 0 ||
-             rig_text_next_number(&opened))
+    else if (attach_values(config_root_setting(&config), &opened) != 0 ||
+             rig_text_next_value(&opened))
         status = error_set(error, CUPOLA_ERROR_SYNTAX,
-                           "%s: a number stands where none may; allowed: KEY = VALUE;", name);
+                           "%s: a value stands where none may; allowed: KEY = VALUE;", name);
     else
         status = rig_read(config_root_setting(&config), name, rig, error);
     config_destroy(&config);

@@ -13,7 +13,7 @@
 
 enum { RIG_NUMBER_SIZE = 64 };
 
-/* text: the number alone, as rig_text_open leaves it */
+/* text: the number alone, checked by rig_text_open */
 double rig_number_real(const char *text);
 double rig_number_angle_rad(const char *text_deg);
 

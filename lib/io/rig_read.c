@@ -10,7 +10,7 @@
 #include "rig_keys.h"
 #include "rig_number.h"
 
-enum { PATH_SIZE = 256, VALUE_SIZE = 64 };
+enum { PATH_SIZE = 256, VALUE_SIZE = 64, NAME_SIZE = 32 };
 
 /* What cupola_rig_complete grants, 1e-12 rad, so that all that it lets pass can be read. */
 static const double angle_slack_deg = 6e-11;
@@ -40,15 +40,39 @@ static void print_path(const config_setting_t *setting, char path[PATH_SIZE])
         snprintf(path + length, PATH_SIZE - length, "[%d]", config_setting_index(setting));
 }
 
+/* What rig_text_open moved out: a number, or a string with its quotes; NULL for all else. */
+static const char *text_of(const config_setting_t *setting)
+{
+    return config_setting_type(setting) == CONFIG_TYPE_INT ? config_setting_get_hook(setting)
+                                                           : NULL;
+}
+
+static bool is_number(const config_setting_t *setting)
+{
+    const char *text = text_of(setting);
+    return text && *text != '"';
+}
+
+/* A name without its quotes; false for what is no string or too long to be a name. */
+static bool name_of(const config_setting_t *setting, char name[NAME_SIZE])
+{
+    const char *text = text_of(setting);
+    size_t length = text ? strlen(text) : 0;
+    if (length < 2 || *text != '"' || length - 2 >= NAME_SIZE)
+        return false;
+    memcpy(name, text + 1, length - 2);
+    name[length - 2] = 0;
+    return true;
+}
+
 static void print_value(const config_setting_t *setting, char value[VALUE_SIZE])
 {
     int count = config_setting_length(setting);
     switch (config_setting_type(setting)) {
     case CONFIG_TYPE_INT:
-        snprintf(value, VALUE_SIZE, "%.40s", (const char *)config_setting_get_hook(setting));
-        return;
-    case CONFIG_TYPE_STRING:
-        snprintf(value, VALUE_SIZE, "\"%.40s\"", config_setting_get_string(setting));
+        snprintf(value, VALUE_SIZE, "%.40s", text_of(setting));
+        for (char *c = value; *c; c++)
+            *c = *c >= ' ' && *c <= '~' ? *c : '?';
         return;
     case CONFIG_TYPE_BOOL:
         snprintf(value, VALUE_SIZE, config_setting_get_bool(setting) ? "true" : "false");
@@ -109,9 +133,9 @@ static int refuse_missing(const struct reader *reader, const config_setting_t *g
 static int read_number(const struct reader *reader, const config_setting_t *setting,
                        const struct rig_key *key, double *value)
 {
-    if (config_setting_type(setting) != CONFIG_TYPE_INT)
+    if (!is_number(setting))
         return refuse(reader, setting, key->allowed);
-    *value = rig_number_real(config_setting_get_hook(setting));
+    *value = rig_number_real(text_of(setting));
     double slack = key->kind == RIG_ANGLE ? angle_slack_deg : 0;
     bool low_enough = *value <= key->high + slack;
     bool high_enough = key->low_is_open ? *value > key->low : *value >= key->low - slack;
@@ -155,16 +179,16 @@ static int read_size(const struct reader *reader, const config_setting_t *settin
 static int read_name(const struct reader *reader, const config_setting_t *setting,
                      const struct rig_key *key, int (*find)(const char *name), int *found)
 {
-    const char *name = config_setting_get_string(setting);
-    *found = name ? find(name) : -1;
+    char name[NAME_SIZE];
+    *found = name_of(setting, name) ? find(name) : -1;
     return *found >= 0 ? CUPOLA_OK : refuse(reader, setting, key->allowed);
 }
 
 static int read_preset(const struct reader *reader, const config_setting_t *setting,
                        const struct rig_key *key, struct cupola_rig *rig)
 {
-    const char *name = config_setting_get_string(setting);
-    if (name && cupola_rig_preset(name, rig, NULL) == CUPOLA_OK)
+    char name[NAME_SIZE];
+    if (name_of(setting, name) && cupola_rig_preset(name, rig, NULL) == CUPOLA_OK)
         return CUPOLA_OK;
     return refuse(reader, setting, key->allowed);
 }
@@ -295,7 +319,7 @@ static int read_key(const struct reader *reader, const config_setting_t *setting
     case RIG_ANGLE:
         status = read_number(reader, setting, key, &ignored);
         if (status == CUPOLA_OK)
-            *(double *)value = rig_number_angle_rad(config_setting_get_hook(setting));
+            *(double *)value = rig_number_angle_rad(text_of(setting));
         return status;
     case RIG_SIZE:
         return read_size(reader, setting, key, value);

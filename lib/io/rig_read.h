@@ -9,7 +9,7 @@
 /*
  * Expects the C locale.
  *
- * root     its numbers carry their texts as hooks
+ * root     its numbers and strings are whole numbers that carry their texts as hooks
  * name     of the file, for messages
  * rig      out: complete; untouched on failure
  * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT for an unknown key or an impossible value

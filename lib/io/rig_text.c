@@ -13,7 +13,7 @@ enum { DEPTH_MAX = 16 };
 struct scan {
     const char *name;
     char *at; /* in the copy for libconfig */
-    char *number_end;
+    char *value_end;
     int line;
     int depth;
     struct cupola_error *error;
@@ -64,33 +64,44 @@ static int skip_comment(struct scan *scan)
                      "%s:%d: comment has no end; allowed: /* ... */", scan->name, first_line);
 }
 
-static int skip_string(struct scan *scan)
+/* Moves a text out of the copy for libconfig and leaves a 1 there; lines stay where they are. */
+static char *move_out(struct scan *scan, size_t length)
 {
-    int first_line = scan->line;
-    for (scan->at++; *scan->at; scan->at++) {
-        if (*scan->at == '"') {
-            scan->at++;
-            return CUPOLA_OK;
-        }
-        if (scan->at[0] == '\\' && (scan->at[1] == '"' || scan->at[1] == '\\'))
-            scan->at++;
-        scan->line += *scan->at == '\n';
-    }
-    return error_set(scan->error, CUPOLA_ERROR_SYNTAX, "%s:%d: string has no end; allowed: \"...\"",
-                     scan->name, first_line);
+    char *value = scan->value_end;
+    memcpy(value, scan->at, length);
+    value[length] = 0;
+    scan->value_end += length + 1;
+    for (size_t i = 0; i < length; i++)
+        if (scan->at[i] != '\n')
+            scan->at[i] = ' ';
+    *scan->at = '1';
+    scan->at += length;
+    return value;
 }
 
-/* Moves a number out of the copy for libconfig and leaves a 1 there. */
+static int take_string(struct scan *scan)
+{
+    int first_line = scan->line;
+    size_t length = 1;
+    while (scan->at[length] && scan->at[length] != '"') {
+        if (scan->at[length] == '\\' && scan->at[length + 1])
+            length++;
+        scan->line += scan->at[length] == '\n';
+        length++;
+    }
+    if (!scan->at[length])
+        return error_set(scan->error, CUPOLA_ERROR_SYNTAX,
+                         "%s:%d: string has no end; allowed: \"...\"", scan->name, first_line);
+    move_out(scan, length + 1);
+    return CUPOLA_OK;
+}
+
 static int take_number(struct scan *scan)
 {
     size_t length = 0;
     while (is_of_number(scan->at[length]))
         length++;
-    char *number = scan->number_end, *end;
-    memcpy(number, scan->at, length);
-    number[length] = 0;
-    scan->number_end += length + 1;
-
+    char *end, *number = move_out(scan, length);
     double value = strtod(number, &end);
     bool decimal = end == number + length && !strpbrk(number, "xXnNfF");
     if (!decimal)
@@ -102,9 +113,6 @@ static int take_number(struct scan *scan)
         return error_set(scan->error, CUPOLA_ERROR_ARGUMENT,
                          "%s:%d: number %.40s is too large; allowed: up to 1.7e308", scan->name,
                          scan->line, number);
-    memset(scan->at, ' ', length);
-    *scan->at = '1';
-    scan->at += length;
     return CUPOLA_OK;
 }
 
@@ -127,7 +135,7 @@ static int take_one(struct scan *scan)
     } else if (c == '/' && scan->at[1] == '*') {
         return skip_comment(scan);
     } else if (c == '"') {
-        return skip_string(scan);
+        return take_string(scan);
     } else if (c == '@') {
         return error_set(scan->error, CUPOLA_ERROR_SYNTAX,
                          "%s:%d: @ begins an @include; allowed: a rig in one file, without "
@@ -157,23 +165,23 @@ int rig_text_open(const char *text, const char *name, struct rig_text *opened,
     struct rig_text made = {
         /* libconfig does not see a comment that ends with the file: add a line's end. */
         .structure = malloc(length + 2),
-        /* Every number with its final 0, and there is at most one per byte. */
-        .numbers = malloc(2 * length + 1),
+        /* Every value with its final 0, and there is at most one per byte. */
+        .values = malloc(2 * length + 1),
     };
     int status = CUPOLA_OK;
-    if (!made.structure || !made.numbers) {
+    if (!made.structure || !made.values) {
         status = error_set(error, CUPOLA_ERROR_MEMORY, "%s: out of memory", name);
         goto fail;
     }
     memcpy(made.structure, text, length);
     memcpy(made.structure + length, "\n", 2);
-    struct scan scan = {name, made.structure, made.numbers, 1, 0, error};
+    struct scan scan = {name, made.structure, made.values, 1, 0, error};
     while (*scan.at && status == CUPOLA_OK)
         status = take_one(&scan);
     if (status != CUPOLA_OK)
         goto fail;
-    made.next_number = made.numbers;
-    made.end = scan.number_end;
+    made.next_value = made.values;
+    made.end = scan.value_end;
     *opened = made;
     return CUPOLA_OK;
 
@@ -185,17 +193,17 @@ fail:
 void rig_text_close(struct rig_text *text)
 {
     free(text->structure);
-    free(text->numbers);
+    free(text->values);
     *text = (struct rig_text){0};
 }
 
-const char *rig_text_next_number(struct rig_text *text)
+const char *rig_text_next_value(struct rig_text *text)
 {
-    const char *number = text->next_number;
-    if (number == text->end)
+    const char *value = text->next_value;
+    if (value == text->end)
         return NULL;
-    text->next_number += strlen(number) + 1;
-    return number;
+    text->next_value += strlen(value) + 1;
+    return value;
 }
 
 int rig_text_excerpt(const char *text, int line, char excerpt[RIG_EXCERPT_SIZE])

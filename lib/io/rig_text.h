@@ -4,8 +4,10 @@
  *   - takes whole numbers modulo 2^32 without a word,
  *   - reads numbers by the host's locale, and only as double,
  *   - refuses an array of 0 and 0.5, because one of them is whole,
- *   - takes a comment that is never closed.
- * So libconfig gets a copy in which every number is 1, and the numbers stand here in their order.
+ *   - takes a comment that is never closed,
+ *   - loses the memory of a string that stands where none may.
+ * So libconfig gets a copy in which every number and every string is a 1, and their texts stand
+ * here in the order of the file.
  */
 #ifndef RIG_TEXT_H
 #define RIG_TEXT_H
@@ -13,10 +15,10 @@
 #include "cupola/error.h"
 
 struct rig_text {
-    char *structure;         /* for libconfig */
-    char *numbers;           /* their texts one after another, each with a final 0 */
-    const char *next_number; /* for rig_text_next_number */
-    const char *end;         /* of numbers */
+    char *structure;        /* for libconfig */
+    char *values;           /* their texts one after another, each with a final 0 */
+    const char *next_value; /* for rig_text_next_value */
+    const char *end;        /* of values */
 };
 
 /*
@@ -30,8 +32,9 @@ int rig_text_open(const char *text, const char *name, struct rig_text *opened,
                   struct cupola_error *error);
 void rig_text_close(struct rig_text *text);
 
-/* The next number in the order of the file, or NULL. Lives as long as the text. */
-const char *rig_text_next_number(struct rig_text *text);
+/* The next number, or string with its quotes, in the order of the file, or NULL. Lives as long as
+ * the text. */
+const char *rig_text_next_value(struct rig_text *text);
 
 /* Some of a line, for messages; beyond the last one, "the end". Returns the line, which is at most
  * the last. */

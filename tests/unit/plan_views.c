@@ -121,7 +121,7 @@ static void every_ray_falls_to_one_view_and_inside_its_guard_band(void **state)
     (void)state;
     uint64_t seed = 71;
     int layouts[3] = {0, 0, 0};
-    for (int i = 0; i < 24; i++) {
+    for (int i = 0; i < 18; i++) {
         struct cupola_rig rig;
         struct cupola_plan_params params;
         random_plan_case(&seed, &rig, &params);
@@ -134,8 +134,8 @@ static void every_ray_falls_to_one_view_and_inside_its_guard_band(void **state)
             assert_int_equal(cupola_plan_report(plan)->layout, params.layout);
         cupola_plan_destroy(&plan);
     }
-    check_at_least(layouts[CUPOLA_LAYOUT_ASYMMETRIC], 6);
-    check_at_least(layouts[CUPOLA_LAYOUT_ROTATED], 6);
+    check_at_least(layouts[CUPOLA_LAYOUT_ASYMMETRIC], 5);
+    check_at_least(layouts[CUPOLA_LAYOUT_ROTATED], 5);
 }
 
 /* Lenses and fields of view of the paper's theatres, with every number of views. */

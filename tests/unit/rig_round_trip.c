@@ -72,7 +72,7 @@ static struct cupola_output random_output(int model)
 static void random_rigs_come_back_to_the_last_bit(void **state)
 {
     (void)state;
-    for (int number = 0; number < 400; number++) {
+    for (int number = 0; number < 120; number++) {
         seed = (uint64_t)number;
         struct cupola_rig rig = {
             .screen = {between(0.1, 1000), between(0.001, pi)},
