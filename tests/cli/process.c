@@ -30,6 +30,7 @@ static void become(char **arguments, const char *setting, FILE *out, FILE *err)
     char copy[200];
     char *equals;
 
+    alarm(60); /* outlives the exec: a program that hangs ends by a signal */
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
     if (setting) {

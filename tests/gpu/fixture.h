@@ -1,0 +1,48 @@
+/*
+ * A theatre ready to be drawn: dome, plan and GL side made from a rig, views painted by a test
+ * shader, the warp captured. Every failure here fails the test under way.
+ */
+#ifndef FIXTURE_H
+#define FIXTURE_H
+
+#include <epoxy/gl.h>
+
+#include "cupola/cupola.h"
+
+struct fixture {
+    cupola_dome *dome;
+    cupola_plan *plan;
+    cupola_gl *gl;
+};
+
+/* Worlds that are a function of the ray; each is a file shaders/NAME.frag. */
+enum paint {
+    PAINT_DIRECTIONS, /* unit direction, host's camera frame */
+    PAINT_SCREEN,     /* the point of the screen sphere, in radii, host's camera frame */
+    PAINT_NOISE,      /* four random numbers per texel, 0 to 1 */
+    PAINT_ROOM,       /* a room with marks on its six faces */
+};
+
+/* params and gl_params may be NULL: all zero. */
+void fixture_make(const struct cupola_rig *rig, const struct cupola_plan_params *params,
+                  const struct cupola_gl_params *gl_params, struct fixture *fixture);
+/* The same from a plan that exists; the fixture takes it over. */
+void fixture_make_of_plan(cupola_plan *plan, const struct cupola_gl_params *gl_params,
+                          struct fixture *fixture);
+void fixture_release(struct fixture *fixture);
+
+/* Draws all views by nothing but what a host has: each view's matrices and viewport. */
+void fixture_paint(const struct fixture *fixture, enum paint paint);
+
+/* RGBA floats of one output's image, or of the whole atlas; freed by the caller. */
+float *fixture_warp(const struct fixture *fixture, int output);
+float *fixture_atlas(const struct fixture *fixture);
+/* Of any texture. */
+float *texture_read(GLuint texture, int width_px, int height_px);
+
+/* The programs of all paints; to be called before the context goes. */
+void fixture_forget_programs(void);
+
+const struct cupola_output *fixture_output(const struct fixture *fixture, int output);
+
+#endif
