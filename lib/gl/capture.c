@@ -13,13 +13,20 @@ int cupola_gl_capture(const struct cupola_target *target, int width, int height,
                          "capture of %d x %d px; allowed: 1 to 32768 each way", width, height);
     struct cupola_target place = target ? *target : (struct cupola_target){0};
     struct host_state state;
-    host_state_save(&state);
-    glBindFramebuffer(GL_FRAMEBUFFER, place.framebuffer);
-    bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    if (complete)
+    struct host_features features;
+    host_features_find(&features);
+    host_state_save(&state, &features);
+    status = target_bind(place.framebuffer, error);
+    if (status == CUPOLA_OK) {
+        while (glGetError() != GL_NO_ERROR)
+            ;
         glReadPixels(place.x, place.y, width, height, GL_RGBA, GL_FLOAT, rgba);
+        GLenum failure = glGetError(); /* multisampled, or without a colour to read */
+        if (failure != GL_NO_ERROR)
+            status = error_set(error, CUPOLA_ERROR_GL,
+                               "the GL cannot read from framebuffer %u (error 0x%x)",
+                               place.framebuffer, failure);
+    }
     host_state_restore(&state);
-    return complete ? CUPOLA_OK
-                    : error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
-                                place.framebuffer);
+    return status;
 }

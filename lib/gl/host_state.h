@@ -11,7 +11,16 @@
 enum {
     HOST_CAPABILITIES_MAX = 32,
     HOST_TEXTURE_UNITS = 2,
-    HOST_PIXEL_STORES = 8,
+    HOST_PIXEL_STORES = 10,
+};
+
+/* What a context has beyond OpenGL 3.3, by its version or by an extension. */
+struct host_features {
+    bool viewport_array;     /* several viewports and scissor rectangles */
+    bool clip_control;       /* origin and depth range of clip space */
+    bool blend_per_buffer;   /* blend functions for each draw buffer */
+    bool transform_feedback; /* that can be paused */
+    bool capabilities[HOST_CAPABILITIES_MAX];
 };
 
 /* Where drawing goes: what view_begin changes for the host until view_end. */
@@ -25,14 +34,17 @@ struct host_target {
 
 /* How drawing is done: what never differs for the host from one of its own commands to the next. */
 struct host_state {
-    int version; /* of the context, 33 for 3.3 */
+    const struct host_features *features;
     struct host_target target;
     GLboolean capabilities[HOST_CAPABILITIES_MAX];
+    GLboolean blend;
+    GLint blend_equation[2], blend_factors[4];
     GLboolean color_mask[4];
     GLboolean depth_mask;
     GLint polygon_mode[2];
+    GLint clip_origin, clip_depth;
+    bool paused_feedback;
     GLint program;
-    GLint pipeline;
     GLint vertex_array;
     GLint renderbuffer;
     GLint active_texture;
@@ -41,20 +53,28 @@ struct host_state {
     GLint unpack_buffer;
     GLint pack_buffer;
     GLint pixel_stores[HOST_PIXEL_STORES];
-    GLint clip_origin, clip_depth;
+    GLint clamp_read_color;
 };
 
+/* Slow: once per context. */
+void host_features_find(struct host_features *features);
+
 void host_target_save(struct host_target *target);
-void host_target_restore(const struct host_target *target, int version);
+void host_target_restore(const struct host_target *target, const struct host_features *features);
 
 /*
  * Saves all of it and sets what a full-screen pass, a clear or a transfer of pixels needs: no test,
- * no blending, all channels written, textures read without sampler objects, packed pixels.
+ * no blending, all channels written, textures read without sampler objects, packed pixels. The
+ * features must live until host_state_restore.
  */
-void host_state_save(struct host_state *state);
+void host_state_save(struct host_state *state, const struct host_features *features);
 void host_state_restore(const struct host_state *state);
 
+/* Between saving and restoring: adds what is drawn to what is there; alpha stays. */
+void host_set_adding(const struct host_features *features);
+
 /* Sets viewport and scissor rectangle 0 and no other of the context. */
-void host_set_area(int version, GLint x, GLint y, GLsizei width, GLsizei height);
+void host_set_area(const struct host_features *features, GLint x, GLint y, GLsizei width,
+                   GLsizei height);
 
 #endif

@@ -76,6 +76,18 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     return 0;
 }
 
+int target_bind(GLuint framebuffer, struct cupola_error *error)
+{
+    if (framebuffer && !glIsFramebuffer(framebuffer))
+        return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u does not exist",
+                         framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
+                         framebuffer);
+    return CUPOLA_OK;
+}
+
 GLuint framebuffer_create(GLuint texture)
 {
     GLuint framebuffer = 0;
@@ -138,7 +150,8 @@ int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *par
     made->plan = *plan;
     made->params = wished;
     struct host_state state;
-    host_state_save(&state);
+    host_features_find(&made->features);
+    host_state_save(&state, &made->features);
     status = create_objects(made, error);
     if (status != CUPOLA_OK)
         destroy_objects(made);

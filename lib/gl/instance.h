@@ -25,6 +25,7 @@ struct warp_pass {
 struct cupola_gl {
     struct cupola_plan plan;
     struct cupola_gl_params params;
+    struct host_features features;
     GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
     GLuint atlas, depth, framebuffer;
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
@@ -43,6 +44,12 @@ void views_destroy(cupola_gl *gl);
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
 void warp_pass_destroy(struct warp_pass *pass);
+
+/*
+ * Binds a host's framebuffer for drawing and reading; CUPOLA_ERROR_GL, and no error left in the GL,
+ * if there is none of that name or it is not complete.
+ */
+int target_bind(GLuint framebuffer, struct cupola_error *error);
 
 /* A framebuffer with one colour texture. 0 on failure. */
 GLuint framebuffer_create(GLuint texture);

@@ -16,6 +16,7 @@ static const double pi = 3.14159265358979323846;
 
 struct cupola_theatre {
     struct cupola_dome dome;
+    struct host_features features;
     GLuint vertex_array;
     GLuint programs[CUPOLA_OUTPUTS_MAX];
 };
@@ -82,7 +83,8 @@ int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
                          sizeof *made);
     made->dome = *dome;
     struct host_state state;
-    host_state_save(&state);
+    host_features_find(&made->features);
+    host_state_save(&state, &made->features);
     glGenVertexArrays(1, &made->vertex_array);
     status = create_programs(made, error);
     host_state_restore(&state);
@@ -144,6 +146,16 @@ static int check_spectator(const struct cupola_spectator *spectator, int width, 
                          "spectator's field of view is %g rad (%g degrees); allowed: above 0 and "
                          "below %g rad (180 degrees)",
                          RAD_AND_DEG(spectator->fov_rad), pi);
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(spectator->position_m[i]))
+            return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                             "spectator's position_m[%d] is %g; allowed: any finite number", i,
+                             spectator->position_m[i]);
+    for (int i = 0; i < 9; i++)
+        if (!isfinite(spectator->rotation[i]))
+            return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                             "spectator's rotation[%d] is %g; allowed: any finite number", i,
+                             spectator->rotation[i]);
     if (width < 1 || height < 1 || width > 32768 || height > 32768)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "picture of the theatre is %d x %d px; allowed: 1 to 32768 each way",
@@ -183,6 +195,45 @@ static GLuint bilinear_sampler(void)
     return sampler;
 }
 
+static void draw_outputs(const cupola_theatre *theatre, const unsigned int *images,
+                         const struct cupola_spectator *spectator, int width, int height,
+                         struct cupola_target place)
+{
+    GLuint sampler = bilinear_sampler();
+    host_set_area(&theatre->features, place.x, place.y, width, height);
+    for (int i = 0; i < theatre->dome.rig.output_count; i++) {
+        GLuint program = theatre->programs[i];
+        if (i == 1)
+            host_set_adding(&theatre->features);
+        glUseProgram(program);
+        set_spectator(program, spectator, place, width, height);
+        glUniform1i(glGetUniformLocation(program, "first_output"), i == 0);
+        glBindTexture(GL_TEXTURE_2D, images[i]);
+        draw_fullscreen(theatre->vertex_array);
+    }
+    glDeleteSamplers(1, &sampler);
+}
+
+/* With the host's state saved: binding tells whether a name is that of a 2-D texture. */
+static int check_images(const cupola_theatre *theatre, const unsigned int *images,
+                        struct cupola_error *error)
+{
+    for (int i = 0; i < theatre->dome.rig.output_count; i++) {
+        GLint bound = 0;
+        if (images[i] && glIsTexture(images[i])) {
+            glBindTexture(GL_TEXTURE_2D, images[i]);
+            glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+            if ((GLuint)bound == images[i])
+                continue;
+            glGetError(); /* of that binding */
+        }
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "image %d is texture %u; allowed: the name of a GL_TEXTURE_2D", i,
+                         images[i]);
+    }
+    return CUPOLA_OK;
+}
+
 int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
                         const struct cupola_spectator *spectator, int width, int height,
                         const struct cupola_target *target, struct cupola_error *error)
@@ -191,43 +242,16 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL",
                          theatre ? "images" : "theatre");
     int status = check_spectator(spectator, width, height, error);
-    if (status != CUPOLA_OK)
+    if (status != CUPOLA_OK || (status = context_check(error)) != CUPOLA_OK)
         return status;
     struct cupola_target place = target ? *target : (struct cupola_target){0};
     struct host_state state;
-    host_state_save(&state);
-    GLint equation[2], factors[4];
-    glGetIntegerv(GL_BLEND_EQUATION_RGB, &equation[0]);
-    glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation[1]);
-    glGetIntegerv(GL_BLEND_SRC_RGB, &factors[0]);
-    glGetIntegerv(GL_BLEND_DST_RGB, &factors[1]);
-    glGetIntegerv(GL_BLEND_SRC_ALPHA, &factors[2]);
-    glGetIntegerv(GL_BLEND_DST_ALPHA, &factors[3]);
-    glBindFramebuffer(GL_FRAMEBUFFER, place.framebuffer);
-    bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    if (complete) {
-        GLuint sampler = bilinear_sampler();
-        host_set_area(state.version, place.x, place.y, width, height);
-        glBlendEquation(GL_FUNC_ADD);
-        glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
-        for (int i = 0; i < theatre->dome.rig.output_count; i++) {
-            GLuint program = theatre->programs[i];
-            if (i > 0)
-                glEnablei(GL_BLEND, 0);
-            glUseProgram(program);
-            set_spectator(program, spectator, place, width, height);
-            glUniform1i(glGetUniformLocation(program, "first_output"), i == 0);
-            glBindTexture(GL_TEXTURE_2D, images[i]);
-            draw_fullscreen(theatre->vertex_array);
-        }
-        glDisablei(GL_BLEND, 0);
-        glDeleteSamplers(1, &sampler);
-    }
-    glBlendEquationSeparate((GLenum)equation[0], (GLenum)equation[1]);
-    glBlendFuncSeparate((GLenum)factors[0], (GLenum)factors[1], (GLenum)factors[2],
-                        (GLenum)factors[3]);
+    host_state_save(&state, &theatre->features);
+    status = check_images(theatre, images, error);
+    if (status == CUPOLA_OK)
+        status = target_bind(place.framebuffer, error);
+    if (status == CUPOLA_OK)
+        draw_outputs(theatre, images, spectator, width, height, place);
     host_state_restore(&state);
-    return complete ? CUPOLA_OK
-                    : error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
-                                place.framebuffer);
+    return status;
 }

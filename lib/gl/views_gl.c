@@ -75,21 +75,21 @@ int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
                                        : "before frame_begin; begin a frame first");
     int status = cupola_plan_camera(&gl->plan, index, gl->frame.near_distance,
                                     gl->frame.far_distance, &camera, error);
-    if (status != CUPOLA_OK)
+    if (status != CUPOLA_OK || (status = context_check(error)) != CUPOLA_OK)
         return status;
 
     struct cupola_rect rect = gl->plan.views[index].rect;
     struct host_state state;
     const GLfloat farthest = 1;
-    host_state_save(&state);
+    host_state_save(&state, &gl->features);
     gl->host_target = state.target;
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
-    host_set_area(state.version, rect.x, rect.y, rect.width, rect.height);
+    host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);
     glClearBufferfv(GL_COLOR, 0, gl->frame.clear_color);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
     host_state_restore(&state);
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
-    host_set_area(state.version, rect.x, rect.y, rect.width, rect.height);
+    host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);
     gl->view_open = true;
     if (view)
         *view = (struct cupola_gl_view){gl->framebuffer, rect, camera};
@@ -102,7 +102,10 @@ int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
     if (!gl->view_open)
         return error_set(error, CUPOLA_ERROR_ORDER, "view_end outside of a view; begin one first");
-    host_target_restore(&gl->host_target, epoxy_gl_version());
+    int status = context_check(error);
+    if (status != CUPOLA_OK)
+        return status;
+    host_target_restore(&gl->host_target, &gl->features);
     gl->view_open = false;
     return CUPOLA_OK;
 }

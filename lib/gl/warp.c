@@ -23,7 +23,7 @@ static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table st
     GLuint table = texture_create(GL_RGBA32F, size->width_px, size->height_px, GL_NEAREST, error);
     GLuint framebuffer = table ? framebuffer_create(table) : 0;
     if (framebuffer) {
-        host_set_area(epoxy_gl_version(), 0, 0, size->width_px, size->height_px);
+        host_set_area(&gl->features, 0, 0, size->width_px, size->height_px);
         glUseProgram(program);
         program_set_projector(program, &gl->plan.dome, output);
         program_set_views(program, &gl->plan);
@@ -100,7 +100,7 @@ static int check_output(const cupola_gl *gl, int output, struct cupola_error *er
     if (output < 0 || output >= gl->plan.dome.rig.output_count)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "output is %d; allowed: 0 to %d", output,
                          gl->plan.dome.rig.output_count - 1);
-    return CUPOLA_OK;
+    return context_check(error);
 }
 
 int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_target *target,
@@ -113,11 +113,10 @@ int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_target *target
     const struct warp_pass *pass = &gl->passes[output];
     struct cupola_target place = target ? *target : (struct cupola_target){0};
     struct host_state state;
-    host_state_save(&state);
-    glBindFramebuffer(GL_FRAMEBUFFER, place.framebuffer);
-    bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    if (complete) {
-        host_set_area(state.version, place.x, place.y, size->width_px, size->height_px);
+    host_state_save(&state, &gl->features);
+    status = target_bind(place.framebuffer, error);
+    if (status == CUPOLA_OK) {
+        host_set_area(&gl->features, place.x, place.y, size->width_px, size->height_px);
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, pass->table);
         glActiveTexture(GL_TEXTURE0);
@@ -127,9 +126,7 @@ int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_target *target
         draw_fullscreen(gl->vertex_array);
     }
     host_state_restore(&state);
-    return complete ? CUPOLA_OK
-                    : error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
-                                place.framebuffer);
+    return status;
 }
 
 int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cupola_error *error)
@@ -145,7 +142,7 @@ int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cu
     struct warp_pass *pass = &gl->passes[output];
     if (!pass->points) {
         struct host_state state;
-        host_state_save(&state);
+        host_state_save(&state, &gl->features);
         pass->points = table_create(gl, output, CUPOLA_TABLE_POINTS, error);
         host_state_restore(&state);
         if (!pass->points)
