@@ -23,12 +23,14 @@ static int usage(char *message, const char *text)
  */
 static int start(const struct options *options, struct cupola_rig *rig, struct cupola_error *error)
 {
-    if (options->rig)
-        return cupola_rig_read(options->rig, rig, error);
-    if (options->preset)
-        return cupola_rig_preset(options->preset, rig, error);
+    int status;
+
     *rig = (struct cupola_rig){0};
-    return cupola_rig_complete(rig, rig, error);
+    status = options->preset ? cupola_rig_preset(options->preset, rig, error)
+                             : cupola_rig_complete(rig, rig, error);
+    if (status == CUPOLA_OK && options->rig)
+        status = cupola_rig_read(options->rig, rig, rig, error);
+    return status;
 }
 
 static int set_lens(const struct options *options, struct cupola_lens *lens, char *message)

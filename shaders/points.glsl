@@ -11,18 +11,20 @@ uniform float cap_cosine;        // below -1: no cap
 uniform mat3 tilt;               // dome frame to the host's camera frame
 uniform vec3 eye;                // E, m, dome frame
 
-// x and y in the image circle with r = 1 at the rim; places beyond it come out on it.
-vec2 circle_place(vec2 pixel)
+// x and y in the image circle with r = 1 at the rim, and r; places beyond it come out on it. There
+// r is 1 to the last bit: at the rim of a hemispheric lens of 180 degrees 1e-7 of it are 0.03
+// degrees.
+vec3 circle_place(vec2 pixel)
 {
     vec2 place = circle_sign * (pixel - circle_center) / circle_radius;
     float r = length(place);
-    return r > 1.0 ? place / r : place;
+    return r > 1.0 ? vec3(place / r, 1.0) : vec3(place, r);
 }
 
-vec3 lens_ray(vec2 place)
+vec3 lens_ray(vec3 place)
 {
-    vec2 sines = lens_sines(min(length(place), 1.0));
-    return aim * vec3(place * sines.x, -sines.y);
+    vec2 sines = lens_sines(place.z);
+    return aim * vec3(place.xy * sines.x, -sines.y);
 }
 
 vec3 screen_point(vec3 ray)
@@ -53,15 +55,27 @@ float edge_coverage(float distance_px, vec2 normal)
     return clamp((ramps.x - ramps.y - ramps.z) / (2.0 * a * b), 0.0, 1.0);
 }
 
-// Must run in uniform control flow: the cap's edge is found by derivatives.
+// How far inside of the cap's edge a place is lit; the cosines' difference.
+float cap_excess(vec2 place)
+{
+    vec3 point = screen_point(lens_ray(vec3(place, min(length(place), 1.0))));
+    return -point.z / screen_radius - cap_cosine;
+}
+
+// The gradient of the cap's edge by differences of an eighth of a pixel, towards the middle of the
+// image circle: beyond the rim, where places come out on it, there is nothing to take them from.
 float pixel_coverage(vec2 pixel, vec3 point)
 {
     vec2 from_center = pixel - circle_center;
     float rim = edge_coverage(circle_radius - length(from_center), from_center);
-    float excess = -point.z / screen_radius - cap_cosine;
-    vec2 gradient = vec2(dFdx(excess), dFdy(excess));
     if (cap_cosine < -1.0)
         return rim;
+    float excess = -point.z / screen_radius - cap_cosine;
+    vec2 place = circle_place(pixel).xy;
+    vec2 inwards = (0.125 / circle_radius) * (1.0 - 2.0 * step(0.0, place));
+    vec2 ahead = vec2(cap_excess(place + vec2(inwards.x, 0.0)),
+                      cap_excess(place + vec2(0.0, inwards.y)));
+    vec2 gradient = (ahead - excess) * 8.0;
     return min(rim, edge_coverage(excess / max(length(gradient), 1e-12), gradient));
 }
 

@@ -17,15 +17,15 @@ static void make_visionstation(struct cupola_rig *rig)
     rig->outputs[0].circle = (struct cupola_circle){512, 384, 512};
 }
 
+/* A format of pictures and not a theatre: it sets no limit to the screen. */
 static void make_domemaster(struct cupola_rig *rig)
 {
-    rig->screen.cap_rad = pi / 2;
     rig->tilt_rad = pi / 2;
 }
 
+/* Likewise: a kind of projector. */
 static void make_truncated_16x10(struct cupola_rig *rig)
 {
-    rig->screen.cap_rad = pi / 2;
     rig->outputs[0].width_px = 1920;
     rig->outputs[0].height_px = 1200;
     rig->outputs[0].circle = (struct cupola_circle){960, 600, 960};

@@ -56,8 +56,8 @@ static int explain(const config_t *config, const char *text, const char *name,
                      name, line, problem, excerpt);
 }
 
-static int parse(const char *text, const char *name, struct cupola_rig *rig,
-                 struct cupola_error *error)
+static int parse(const char *text, const char *name, const struct cupola_rig *base,
+                 struct cupola_rig *rig, struct cupola_error *error)
 {
     struct rig_text opened;
     config_t config;
@@ -72,14 +72,14 @@ static int parse(const char *text, const char *name, struct cupola_rig *rig,
         status = error_set(error, CUPOLA_ERROR_SYNTAX,
                            "%s: a value stands where none may; allowed: KEY = VALUE;", name);
     else
-        status = rig_read(config_root_setting(&config), name, rig, error);
+        status = rig_read(config_root_setting(&config), name, base, rig, error);
     config_destroy(&config);
     rig_text_close(&opened);
     return status;
 }
 
-int cupola_rig_parse(const char *text, const char *name, struct cupola_rig *rig,
-                     struct cupola_error *error)
+int cupola_rig_parse(const char *text, const char *name, const struct cupola_rig *base,
+                     struct cupola_rig *rig, struct cupola_error *error)
 {
     struct c_locale locale;
     if (!name)
@@ -92,7 +92,7 @@ int cupola_rig_parse(const char *text, const char *name, struct cupola_rig *rig,
                          (int)FILE_SIZE_MAX);
     if (c_locale_enter(&locale) != 0)
         return error_set(error, CUPOLA_ERROR_MEMORY, "%s: out of memory", name);
-    int status = parse(text, name, rig, error);
+    int status = parse(text, name, base, rig, error);
     c_locale_leave(&locale);
     return status;
 }
@@ -105,7 +105,8 @@ static int line_of(const char *text, size_t place)
     return line;
 }
 
-int cupola_rig_read(const char *path, struct cupola_rig *rig, struct cupola_error *error)
+int cupola_rig_read(const char *path, const struct cupola_rig *base, struct cupola_rig *rig,
+                    struct cupola_error *error)
 {
     FILE *file;
     uint64_t size;
@@ -126,7 +127,7 @@ int cupola_rig_read(const char *path, struct cupola_rig *rig, struct cupola_erro
         status = error_set(error, CUPOLA_ERROR_SYNTAX, "%s:%d: byte 0; allowed: text", path,
                            line_of(text, strlen(text)));
     else
-        status = cupola_rig_parse(text, path, rig, error);
+        status = cupola_rig_parse(text, path, base, rig, error);
     free(text);
     return status;
 }

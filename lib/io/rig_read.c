@@ -367,10 +367,12 @@ static int read_section(const struct reader *reader, const config_setting_t *gro
     return status;
 }
 
-int rig_read(const config_setting_t *root, const char *name, struct cupola_rig *rig,
-             struct cupola_error *error)
+int rig_read(const config_setting_t *root, const char *name, const struct cupola_rig *base,
+             struct cupola_rig *rig, struct cupola_error *error)
 {
     struct cupola_rig made = default_rig();
+    if (base && cupola_rig_complete(base, &made, error) != CUPOLA_OK)
+        return CUPOLA_ERROR_ARGUMENT;
     struct reader reader = {name, &made, error};
     int status = read_section(&reader, root, &rig_section_rig, &made);
     if (status == CUPOLA_OK)

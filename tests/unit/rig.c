@@ -105,8 +105,8 @@ static void presets_are_the_theatres_that_they_name(void **state)
     (void)state;
     static const struct preset presets[] = {
         {"visionstation", 1024, 768, {512.0, 384.0, 512.0}, 0.75, 90.0, 0.0},
-        {"domemaster", 1024, 1024, {512.0, 512.0, 512.0}, 1.0, 90.0, 90.0},
-        {"truncated-16x10", 1920, 1200, {960.0, 600.0, 960.0}, 1.0, 90.0, 0.0},
+        {"domemaster", 1024, 1024, {512.0, 512.0, 512.0}, 1.0, 180.0, 90.0},
+        {"truncated-16x10", 1920, 1200, {960.0, 600.0, 960.0}, 1.0, 180.0, 0.0},
     };
     for (size_t i = 0; i < 3; i++) {
         const struct preset *preset = &presets[i];

@@ -57,7 +57,7 @@ static inline void check_round_trip(const struct cupola_rig *rig)
     struct cupola_error error = {0};
     assert_int_equal(cupola_rig_complete(rig, &complete, NULL), CUPOLA_OK);
     if (cupola_rig_write(in_folder("rig.cfg"), rig, &error) != CUPOLA_OK ||
-        cupola_rig_read(in_folder("rig.cfg"), &read, &error) != CUPOLA_OK)
+        cupola_rig_read(in_folder("rig.cfg"), NULL, &read, &error) != CUPOLA_OK)
         fail_msg("%s", error.message);
     check_rig_equal(&read, &complete);
 }

@@ -39,14 +39,14 @@ static void check_broken(const char *path)
     snprintf(expected_path, sizeof expected_path, "%.*s.txt", (int)strlen(path) - 4, path);
     char *expected = content_of(expected_path);
     expected[strcspn(expected, "\n")] = 0;
-    int status = cupola_rig_read(path, &rig, &error);
+    int status = cupola_rig_read(path, NULL, &rig, &error);
     if (status >= 0 || strncmp(error.message, path, strlen(path)) != 0 ||
         strcmp(error.message + strlen(path), expected) != 0)
         fail_msg("%s: '%s' instead of '%s'", path, error.message, expected);
     assert_int_equal(status, error.status);
     assert_true(status == CUPOLA_ERROR_SYNTAX || status == CUPOLA_ERROR_ARGUMENT);
     assert_memory_equal(&rig, &before, sizeof rig);
-    assert_int_equal(cupola_rig_read(path, &rig, NULL), status);
+    assert_int_equal(cupola_rig_read(path, NULL, &rig, NULL), status);
     free(expected);
 }
 
@@ -60,7 +60,7 @@ static void check_valid(const char *path)
 {
     struct cupola_rig rig;
     struct cupola_error error = {0};
-    if (cupola_rig_read(path, &rig, &error) != CUPOLA_OK)
+    if (cupola_rig_read(path, NULL, &rig, &error) != CUPOLA_OK)
         fail_msg("%s", error.message);
     check_round_trip(&rig);
 }
@@ -76,7 +76,7 @@ static struct cupola_rig valid(const char *name)
     char path[1024];
     struct cupola_rig rig;
     snprintf(path, sizeof path, "%s/rigs/valid/%s.cfg", getenv("TEST_DATA"), name);
-    assert_int_equal(cupola_rig_read(path, &rig, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_rig_read(path, NULL, &rig, NULL), CUPOLA_OK);
     return rig;
 }
 
@@ -133,17 +133,18 @@ static void too_much_of_anything_is_refused(void **state)
     memset(text, '(', SIZE);
     memcpy(text, "tilt_deg = ", 11);
     text[100000] = 0;
-    assert_int_equal(cupola_rig_parse(text, "deep", &rig, &error), CUPOLA_ERROR_SYNTAX);
+    assert_int_equal(cupola_rig_parse(text, "deep", NULL, &rig, &error), CUPOLA_ERROR_SYNTAX);
     assert_string_equal(error.message,
                         "deep:1: groups and lists are nested too deeply; allowed: 16 levels");
     memset(text, '#', SIZE);
     text[SIZE] = 0;
     put(in_folder("long.cfg"), text);
-    assert_int_equal(cupola_rig_read(in_folder("long.cfg"), &rig, &error), CUPOLA_ERROR_SYNTAX);
+    assert_int_equal(cupola_rig_read(in_folder("long.cfg"), NULL, &rig, &error),
+                     CUPOLA_ERROR_SYNTAX);
     assert_non_null(strstr(error.message, "long.cfg: too long; allowed: up to 262144 bytes"));
     text[256 * 1024] = 0;
     put(in_folder("long.cfg"), text);
-    assert_int_equal(cupola_rig_read(in_folder("long.cfg"), &rig, &error), CUPOLA_OK);
+    assert_int_equal(cupola_rig_read(in_folder("long.cfg"), NULL, &rig, &error), CUPOLA_OK);
     free(text);
 }
 
@@ -174,7 +175,7 @@ static void bytes_in_disorder_do_no_harm(void **state)
                 alphabet[(size_t)between(0, (double)sizeof alphabet - 1)];
         if (between(0, 1) < 0.2)
             memcpy(text + (size_t)between(0, (double)length - 20), "\n@include \".\"\n", 14);
-        int status = cupola_rig_parse(text, "changed", &rig, &error);
+        int status = cupola_rig_parse(text, "changed", NULL, &rig, &error);
         assert_true(status == CUPOLA_OK || strncmp(error.message, "changed:", 8) == 0);
         refused += status != CUPOLA_OK;
     }
@@ -189,17 +190,17 @@ static void nothing_is_not_a_rig(void **state)
     (void)state;
     struct cupola_rig rig;
     struct cupola_error error;
-    assert_int_equal(cupola_rig_read(NULL, &rig, NULL), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_rig_read("", &rig, NULL), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_rig_parse(NULL, "x", &rig, NULL), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_rig_parse("", "x", NULL, NULL), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_rig_parse("x", NULL, &rig, NULL), CUPOLA_ERROR_SYNTAX);
-    assert_int_equal(cupola_rig_read(in_folder("none"), &rig, &error), CUPOLA_ERROR_FILE);
+    assert_int_equal(cupola_rig_read(NULL, NULL, &rig, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_rig_read("", NULL, &rig, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_rig_parse(NULL, "x", NULL, &rig, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_rig_parse("", "x", NULL, NULL, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_rig_parse("x", NULL, NULL, &rig, NULL), CUPOLA_ERROR_SYNTAX);
+    assert_int_equal(cupola_rig_read(in_folder("none"), NULL, &rig, &error), CUPOLA_ERROR_FILE);
     assert_non_null(strstr(error.message, "none: cannot be opened: No such file or directory"));
-    assert_int_equal(cupola_rig_read(folder, &rig, &error), CUPOLA_ERROR_FILE);
+    assert_int_equal(cupola_rig_read(folder, NULL, &rig, &error), CUPOLA_ERROR_FILE);
     assert_non_null(strstr(error.message, ": is a directory; allowed: a regular file"));
     assert_int_equal(mkfifo(in_folder("pipe"), 0600), 0);
-    assert_int_equal(cupola_rig_read(in_folder("pipe"), &rig, &error), CUPOLA_ERROR_FILE);
+    assert_int_equal(cupola_rig_read(in_folder("pipe"), NULL, &rig, &error), CUPOLA_ERROR_FILE);
     assert_non_null(strstr(error.message, ": is a device or a pipe; allowed: a regular file"));
 }
 
@@ -243,9 +244,22 @@ static void the_documented_example_is_read(void **state)
     char *end = strstr(example, "```");
     assert_non_null(end);
     *end = 0;
-    if (cupola_rig_parse(example, "docs/rig-format.md", &rig, &error) != CUPOLA_OK)
+    if (cupola_rig_parse(example, "docs/rig-format.md", NULL, &rig, &error) != CUPOLA_OK)
         fail_msg("%s", error.message);
     free(document);
+}
+
+static void a_file_changes_no_more_of_its_base_than_it_says(void **state)
+{
+    (void)state;
+    struct cupola_rig base, rig;
+    assert_int_equal(cupola_rig_preset("visionstation", &base, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_rig_parse("tilt_deg = 30;", "x", &base, &rig, NULL), CUPOLA_OK);
+    check_near(rig.tilt_rad, 30 * 3.14159265358979323846 / 180, 1e-15);
+    assert_int_equal(rig.outputs[0].height_px, 768);
+    check_near(rig.screen.radius_m, 0.75, 0);
+    base.screen.radius_m = -1;
+    assert_int_equal(cupola_rig_parse("", "x", &base, &rig, NULL), CUPOLA_ERROR_ARGUMENT);
 }
 
 int main(void)
@@ -260,6 +274,7 @@ int main(void)
         cmocka_unit_test(nothing_is_not_a_rig),
         cmocka_unit_test(every_key_is_documented),
         cmocka_unit_test(the_documented_example_is_read),
+        cmocka_unit_test(a_file_changes_no_more_of_its_base_than_it_says),
     };
     return cmocka_run_group_tests(rig_file, make_folder, remove_folder);
 }

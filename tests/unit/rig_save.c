@@ -23,7 +23,7 @@ static double saved_radius(const char *path)
 {
     struct cupola_rig rig;
     struct cupola_error error;
-    if (cupola_rig_read(path, &rig, &error) != CUPOLA_OK)
+    if (cupola_rig_read(path, NULL, &rig, &error) != CUPOLA_OK)
         fail_msg("%s", error.message);
     return rig.screen.radius_m;
 }

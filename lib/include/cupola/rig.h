@@ -78,9 +78,9 @@ struct cupola_rig {
  *   visionstation    1024 x 768, angular lens of 180 degrees, circle (512, 384, 512): 180 x 135
  *                    degrees are lit; R = 0.75 m and cap 90 degrees. The maker published image size
  *                    and opening; that projector and viewer are at the centre is assumed.
- *   domemaster       1024 x 1024, full circle, angular 180 degrees, cap 90 degrees, tilt 90 degrees
+ *   domemaster       1024 x 1024, full circle, angular 180 degrees, tilt 90 degrees
  *   truncated-16x10  1920 x 1200, angular 180 degrees, circle (960, 600, 960): the projector's
- * width is the circle's, top and bottom are cut off; cap 90 degrees
+ * width is the circle's, top and bottom are cut off
  *
  * rig      out: complete, defaults filled in
  * error    may be NULL

@@ -16,15 +16,16 @@ extern "C" {
  * locale.
  *
  * path     of the file
- * rig      out: complete; untouched on failure
+ * base     what the keys of the file change, a preset for instance; NULL: all zero, the default
+ * rig      out: complete; may be base; untouched on failure
  * error    may be NULL; "file:line: key: value ...; allowed: ..."
  * returns  CUPOLA_OK; CUPOLA_ERROR_FILE; CUPOLA_ERROR_SYNTAX for what is no rig file;
  *          CUPOLA_ERROR_ARGUMENT for an unknown key or an impossible value; CUPOLA_ERROR_MEMORY
  * thread   any
  * since    0.1
  */
-CUPOLA_API int cupola_rig_read(const char *path, struct cupola_rig *rig,
-                               struct cupola_error *error);
+CUPOLA_API int cupola_rig_read(const char *path, const struct cupola_rig *base,
+                               struct cupola_rig *rig, struct cupola_error *error);
 
 /*
  * The same from text in memory.
@@ -32,8 +33,8 @@ CUPOLA_API int cupola_rig_read(const char *path, struct cupola_rig *rig,
  * text     with a final 0
  * name     stands for the file's name in messages
  */
-CUPOLA_API int cupola_rig_parse(const char *text, const char *name, struct cupola_rig *rig,
-                                struct cupola_error *error);
+CUPOLA_API int cupola_rig_parse(const char *text, const char *name, const struct cupola_rig *base,
+                                struct cupola_rig *rig, struct cupola_error *error);
 
 /*
  * Writes a rig file, whole or not at all: into a temporary file beside it, which is brought to the

@@ -1,0 +1,459 @@
+/*
+ * The whole way round: a scene drawn into views, warped, thrown onto the simulated screen and
+ * looked at from the eye is the scene itself, in plain perspective.
+ *
+ * The scene is a room whose walls carry waves in every direction of space. Its finest wave is as
+ * long as WAVE_PX pixels of the output where these are coarsest on the walls in sight; two bilinear
+ * samplings (views to output, output to screen) then keep all but some percent of it.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "check.h"
+#include "context.h"
+#include "fixture.h"
+#include "picture_error.h"
+#include "rig_random.h"
+
+enum { WIDTH = 256, HEIGHT = 192, RIGS = 10, WAVE_PX = 16, BLOCK = 64 };
+
+static const double psnr_least_db = 40.0;
+static const double displacement_most_px = 0.05; /* of the picture's pixels */
+static const double room_radii[3] = {2.2, 1.7, 2.6};
+
+static const char *const room_vertex =
+    "#version 330 core\n"
+    "uniform mat4 projection, view;\n"
+    "uniform vec3 half_size;\n"
+    "out vec3 place;\n"
+    "const int corners[36] = int[](0,1,3,0,3,2, 5,4,6,5,6,7, 4,0,2,4,2,6,\n"
+    "                              1,5,7,1,7,3, 2,3,7,2,7,6, 4,5,1,4,1,0);\n"
+    "void main() {\n"
+    "    int corner = corners[gl_VertexID];\n"
+    "    place = half_size * vec3(2 * (corner & 1) - 1, (corner & 2) - 1, (corner >> 1 & 2) - 1);\n"
+    "    gl_Position = projection * view * vec4(place, 1.0);\n"
+    "}\n";
+static const char *const room_fragment =
+    "#version 330 core\n"
+    "uniform float wave_number;\n"
+    "in vec3 place;\n"
+    "out vec4 color;\n"
+    "void main() {\n"
+    "    vec3 p = wave_number * place;\n"
+    "    vec3 fine = sin(vec3(dot(p, vec3(0.8, 0.0, 0.6)), dot(p, vec3(-0.6, 0.8, 0.0)),\n"
+    "                         dot(p, vec3(0.0, 0.6, -0.8))));\n"
+    "    vec3 coarse = sin(0.4 * p.yzx + 0.3 * p.zxy);\n"
+    "    color = vec4(0.5 + 0.22 * fine + 0.15 * coarse + 0.1 * fine.gbr, 1.0);\n"
+    "}\n";
+
+static GLuint room_program, room_vertex_array;
+
+/* One theatre, who looks, and the wave number of the walls in 1/(scene unit). */
+struct sight {
+    struct fixture fixture;
+    struct cupola_spectator spectator;
+    double half_size[3];
+    double wave_number;
+};
+
+struct picture {
+    GLuint texture, framebuffer;
+};
+
+static GLuint compile(GLenum kind, const char *source)
+{
+    GLint compiled = GL_FALSE;
+    GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &source, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    assert_true(compiled);
+    return shader;
+}
+
+static int setup(void **state)
+{
+    GLuint shaders[2];
+    (void)state;
+    context_open();
+    shaders[0] = compile(GL_VERTEX_SHADER, room_vertex);
+    shaders[1] = compile(GL_FRAGMENT_SHADER, room_fragment);
+    room_program = glCreateProgram();
+    for (int i = 0; i < 2; i++) {
+        glAttachShader(room_program, shaders[i]);
+        glDeleteShader(shaders[i]);
+    }
+    glLinkProgram(room_program);
+    glGenVertexArrays(1, &room_vertex_array);
+    return 0;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    glDeleteProgram(room_program);
+    glDeleteVertexArrays(1, &room_vertex_array);
+    context_close();
+    return 0;
+}
+
+static struct picture picture_create(int width, int height)
+{
+    struct picture picture = {0};
+    glGenTextures(1, &picture.texture);
+    glBindTexture(GL_TEXTURE_2D, picture.texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_FLOAT, NULL);
+    glGenFramebuffers(1, &picture.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture, 0);
+    return picture;
+}
+
+static void picture_release(struct picture *picture)
+{
+    glDeleteFramebuffers(1, &picture->framebuffer);
+    glDeleteTextures(1, &picture->texture);
+}
+
+static void draw_room(const struct sight *sight, const float projection[16], const float view[16])
+{
+    GLfloat half_size[3];
+    for (int i = 0; i < 3; i++)
+        half_size[i] = (GLfloat)sight->half_size[i];
+    glUseProgram(room_program);
+    glUniformMatrix4fv(glGetUniformLocation(room_program, "projection"), 1, GL_FALSE, projection);
+    glUniformMatrix4fv(glGetUniformLocation(room_program, "view"), 1, GL_FALSE, view);
+    glUniform3fv(glGetUniformLocation(room_program, "half_size"), 1, half_size);
+    glUniform1f(glGetUniformLocation(room_program, "wave_number"), (GLfloat)sight->wave_number);
+    glBindVertexArray(room_vertex_array);
+    glDrawArrays(GL_TRIANGLES, 0, 36);
+}
+
+/* The direction of a place in the spectator's picture, host's camera frame, not of unit length. */
+static void picture_direction(const struct sight *sight, double x_px, double y_px,
+                              double direction[3])
+{
+    double half = tan(0.5 * sight->spectator.fov_rad), dome_direction[3];
+    double across = half * (2.0 * x_px - WIDTH) / HEIGHT, up = half * (2.0 * y_px / HEIGHT - 1.0);
+    const double *axes = sight->spectator.rotation;
+    for (int i = 0; i < 3; i++)
+        dome_direction[i] = across * axes[i] + up * axes[3 + i] - axes[6 + i];
+    cupola_dome_to_camera(sight->fixture.dome, dome_direction, direction);
+}
+
+/* Whether all four pixels between which the screen's light is interpolated are lit in full. */
+static int lit_in_full(const cupola_dome *dome, const double direction[3], struct cupola_ray *ray)
+{
+    double at[2];
+    if (cupola_dome_pixel(dome, 0, NULL, direction, at) != 1)
+        return 0;
+    for (int i = 0; i < 4; i++) {
+        double x = floor(at[0] - 0.5) + 0.5 + (i & 1), y = floor(at[1] - 0.5) + 0.5 + (i >> 1);
+        if (cupola_dome_ray(dome, 0, NULL, x, y, ray) != 1 || ray->coverage < 1.0)
+            return 0;
+    }
+    return cupola_dome_ray(dome, 0, NULL, at[0], at[1], ray);
+}
+
+static int picture_lit(const struct sight *sight, int step)
+{
+    struct cupola_ray ray;
+    double direction[3];
+    for (int y = 0; y <= HEIGHT; y += step)
+        for (int x = 0; x <= WIDTH; x += step) {
+            picture_direction(sight, x, y, direction);
+            if (!lit_in_full(sight->fixture.dome, direction, &ray))
+                return 0;
+        }
+    return 1;
+}
+
+/* The mean direction of what is lit, each pixel by its solid angle; host's camera frame. */
+static void mean_direction(const struct fixture *fixture, double mean[3])
+{
+    const struct cupola_output *output = fixture_output(fixture, 0);
+    double sum[3] = {0, 0, 0};
+    for (int y = 2; y < output->height_px; y += 5)
+        for (int x = 2; x < output->width_px; x += 5) {
+            struct cupola_ray ray;
+            if (cupola_dome_ray(fixture->dome, 0, NULL, x + 0.5, y + 0.5, &ray) == 1)
+                for (int i = 0; i < 3; i++)
+                    sum[i] += ray.coverage * ray.solid_angle_sr * ray.direction[i];
+        }
+    double length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    for (int i = 0; i < 3; i++)
+        mean[i] = sum[i] / length;
+}
+
+/* Turns the spectator's view to a direction, rolled by any angle. */
+static void turn_towards(const cupola_dome *dome, const double direction[3], double roll_rad,
+                         struct cupola_spectator *spectator)
+{
+    double forward[3], *right = spectator->rotation, *up = right + 3, *back = right + 6;
+    cupola_dome_from_camera(dome, direction, forward);
+    double aside[3] = {sin(roll_rad), cos(roll_rad), 0.2 * cos(3.0 * roll_rad)}, length = 0.0;
+    for (int i = 0; i < 3; i++)
+        back[i] = -forward[i];
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        right[i] = aside[j] * back[k] - aside[k] * back[j];
+        length += right[i] * right[i];
+    }
+    for (int i = 0; i < 3; i++)
+        right[i] /= sqrt(length);
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        up[i] = back[j] * right[k] - back[k] * right[j];
+    }
+}
+
+/* Where a direction meets the walls, scene units; the eye is inside. */
+static void wall_point(const struct sight *sight, const double direction[3], double point[3])
+{
+    const struct cupola_rig *rig = cupola_dome_rig(sight->fixture.dome);
+    double eye[3], t = INFINITY;
+    cupola_dome_to_camera(sight->fixture.dome, rig->eye_m, eye);
+    for (int i = 0; i < 3; i++) {
+        double to_wall =
+            copysign(sight->half_size[i], direction[i]) - eye[i] * rig->units_per_metre;
+        if (direction[i] != 0.0)
+            t = fmin(t, to_wall / direction[i]);
+    }
+    for (int i = 0; i < 3; i++)
+        point[i] = eye[i] * rig->units_per_metre + t * direction[i];
+}
+
+static double wall_step(const struct sight *sight, const double direction[3],
+                        const double change[3])
+{
+    double here[3], there[3], moved[3], square = 0.0;
+    for (int i = 0; i < 3; i++)
+        moved[i] = direction[i] + change[i];
+    wall_point(sight, direction, here);
+    wall_point(sight, moved, there);
+    for (int i = 0; i < 3; i++)
+        square += (there[i] - here[i]) * (there[i] - here[i]);
+    return sqrt(square);
+}
+
+/* The length on the walls of the coarsest pixel in sight; the longer diagonal bounds every width.
+ */
+static double coarsest_pixel(const struct sight *sight)
+{
+    double most = 0.0;
+    for (int y = 0; y <= HEIGHT; y += 4)
+        for (int x = 0; x <= WIDTH; x += 4) {
+            double direction[3], diagonals[2][3];
+            struct cupola_ray ray;
+            picture_direction(sight, x, y, direction);
+            assert_true(lit_in_full(sight->fixture.dome, direction, &ray));
+            for (int i = 0; i < 3; i++) {
+                diagonals[0][i] = ray.direction_dx[i] + ray.direction_dy[i];
+                diagonals[1][i] = ray.direction_dx[i] - ray.direction_dy[i];
+            }
+            for (int i = 0; i < 2; i++)
+                most = fmax(most, wall_step(sight, ray.direction, diagonals[i]) / sqrt(2.0));
+        }
+    return most;
+}
+
+/* Larger than the rigs of the tests without GL, and with a cap on every other screen. */
+static struct cupola_rig theatre_rig(uint64_t *seed)
+{
+    struct cupola_rig rig = random_rig(seed, 0.5);
+    struct cupola_output *output = &rig.outputs[0];
+    struct cupola_error error = {CUPOLA_OK, ""};
+    output->width_px *= 4;
+    output->height_px *= 4;
+    output->circle.center_x_px *= 4.0;
+    output->circle.center_y_px *= 4.0;
+    output->circle.radius_px *= 4.0;
+    if (random_int(seed, 0, 1))
+        rig.screen.cap_rad = random_between(seed, 1.6, 3.0);
+    if (cupola_rig_complete(&rig, &rig, &error) < 0)
+        fail_msg("%s", error.message);
+    return rig;
+}
+
+/*
+ * Looks at the mean lit direction, with the widest opening at which all of the picture is lit; or
+ * where that one is narrow (lit parts may be crescents), at one of a grid of lit places.
+ */
+static void look_at_lit_part(struct sight *sight, double roll_rad)
+{
+    enum { GRID = 7 };
+    const struct cupola_output *output = fixture_output(&sight->fixture, 0);
+    const cupola_dome *dome = sight->fixture.dome;
+    struct cupola_ray ray;
+    cupola_spectator_at_eye(dome, &sight->spectator);
+    for (double fov_deg = 80.0; fov_deg > 10.0; fov_deg *= 0.93) {
+        sight->spectator.fov_rad = radians(fov_deg);
+        for (int i = -1; i < (fov_deg > 45.0 ? 0 : GRID * GRID); i++) {
+            double x = output->width_px * (i % GRID + 0.5) / GRID;
+            double y = output->height_px * (i / GRID + 0.5) / GRID;
+            if (i < 0)
+                mean_direction(&sight->fixture, ray.direction);
+            else if (cupola_dome_ray(dome, 0, NULL, x, y, &ray) != 1)
+                continue;
+            turn_towards(dome, ray.direction, roll_rad, &sight->spectator);
+            if (picture_lit(sight, 4))
+                return;
+        }
+    }
+    fail_msg("no part of the screen is lit");
+}
+
+static struct sight sight_create(const struct cupola_rig *rig, uint64_t *seed)
+{
+    struct sight sight = {0};
+    fixture_make(rig, NULL, NULL, &sight.fixture);
+    look_at_lit_part(&sight, random_between(seed, -pi, pi));
+    assert_true(picture_lit(&sight, 1));
+    for (int i = 0; i < 3; i++)
+        sight.half_size[i] = room_radii[i] * rig->screen.radius_m * rig->units_per_metre;
+    sight.wave_number = 2.0 * pi / (WAVE_PX * coarsest_pixel(&sight));
+    return sight;
+}
+
+/* The image of the output, by views and warp. */
+static struct picture draw_output(const struct sight *sight)
+{
+    const struct cupola_output *output = fixture_output(&sight->fixture, 0);
+    struct picture image = picture_create(output->width_px, output->height_px);
+    struct cupola_frame frame = {.near_distance = 0.02 * sight->half_size[0],
+                                 .far_distance = 20.0 * sight->half_size[0]};
+    int views = cupola_gl_frame_begin(sight->fixture.gl, &frame, NULL);
+    glEnable(GL_DEPTH_TEST);
+    for (int i = 0; i < views; i++) {
+        struct cupola_gl_view view;
+        assert_int_equal(cupola_gl_view_begin(sight->fixture.gl, i, &view, NULL), CUPOLA_OK);
+        draw_room(sight, view.camera.projection, view.camera.view);
+        assert_int_equal(cupola_gl_view_end(sight->fixture.gl, NULL), CUPOLA_OK);
+    }
+    struct cupola_target target = {.framebuffer = image.framebuffer};
+    assert_int_equal(cupola_gl_warp(sight->fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    return image;
+}
+
+/* What the spectator sees in the theatre of a rig, which need not be the right one. */
+static float *draw_theatre(const struct sight *sight, const struct cupola_rig *rig, GLuint image)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_dome *dome = NULL;
+    cupola_theatre *theatre = NULL;
+    struct picture picture = picture_create(WIDTH, HEIGHT);
+    struct cupola_target target = {.framebuffer = picture.framebuffer};
+    if (cupola_dome_create(rig, &dome, &error) < 0 ||
+        cupola_theatre_create(dome, &theatre, &error) < 0 ||
+        cupola_theatre_draw(theatre, &image, &sight->spectator, WIDTH, HEIGHT, &target, &error) < 0)
+        fail_msg("%s", error.message);
+    float *pixels = texture_read(picture.texture, WIDTH, HEIGHT);
+    cupola_theatre_destroy(&theatre);
+    cupola_dome_destroy(&dome);
+    picture_release(&picture);
+    return pixels;
+}
+
+/* The scene itself by the spectator's camera, from nothing but its place, rotation and opening. */
+static float *draw_plain(const struct sight *sight)
+{
+    const struct cupola_rig *rig = cupola_dome_rig(sight->fixture.dome);
+    const struct cupola_spectator *spectator = &sight->spectator;
+    double n = 0.02 * sight->half_size[0], f = 20.0 * sight->half_size[0], place[3];
+    double steepness = 1.0 / tan(0.5 * spectator->fov_rad);
+    float view[16] = {[15] = 1.0f}, projection[16] = {0};
+    cupola_dome_to_camera(sight->fixture.dome, spectator->position_m, place);
+    for (int row = 0; row < 3; row++) {
+        double axis[3], offset = 0.0;
+        cupola_dome_to_camera(sight->fixture.dome, spectator->rotation + 3 * row, axis);
+        for (int i = 0; i < 3; i++) {
+            view[4 * i + row] = (float)axis[i];
+            offset -= axis[i] * place[i] * rig->units_per_metre;
+        }
+        view[12 + row] = (float)offset;
+    }
+    projection[0] = (float)(steepness * HEIGHT / WIDTH);
+    projection[5] = (float)steepness;
+    projection[10] = (float)((f + n) / (n - f));
+    projection[11] = -1.0f;
+    projection[14] = (float)(2.0 * f * n / (n - f));
+    struct picture picture = picture_create(WIDTH, HEIGHT);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture.framebuffer);
+    glViewport(0, 0, WIDTH, HEIGHT);
+    glDisable(GL_DEPTH_TEST);
+    draw_room(sight, projection, view);
+    float *pixels = texture_read(picture.texture, WIDTH, HEIGHT);
+    picture_release(&picture);
+    return pixels;
+}
+
+static double contrast(const float *pixels)
+{
+    double sum = 0.0, squares = 0.0, count = WIDTH * HEIGHT;
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        sum += (double)pixels[4 * i];
+        squares += (double)pixels[4 * i] * (double)pixels[4 * i];
+    }
+    return sqrt(squares / count - sum / count * (sum / count));
+}
+
+/* A theatre that is not the one the image was made for is seen by both measures. */
+static void check_wrong(const struct sight *sight, const struct cupola_rig *wrong, GLuint image,
+                        const float *plain, double right_psnr_db)
+{
+    int blocks;
+    float *seen = draw_theatre(sight, wrong, image);
+    double psnr = psnr_db(plain, seen, WIDTH, HEIGHT);
+    double moved = displacement_px(plain, seen, WIDTH, HEIGHT, BLOCK, &blocks);
+    printf("      wrong: %5.1f dB, displaced by %.3f px\n", psnr, moved);
+    check_at_most(psnr, right_psnr_db);
+    check_at_least(moved, 2.0 * displacement_most_px);
+    free(seen);
+}
+
+static void compare(uint64_t *seed)
+{
+    struct cupola_rig rig = theatre_rig(seed), wrong = rig;
+    struct sight sight = sight_create(&rig, seed);
+    struct picture image = draw_output(&sight);
+    float *plain = draw_plain(&sight), *seen = draw_theatre(&sight, &rig, image.texture);
+    int blocks;
+    double psnr = psnr_db(plain, seen, WIDTH, HEIGHT);
+    double moved = displacement_px(plain, seen, WIDTH, HEIGHT, BLOCK, &blocks);
+    printf("%-13s %4.0f deg, opening %2.0f deg: %5.1f dB, displaced by %.4f px, contrast %.2f\n",
+           cupola_lens_model_name(rig.outputs[0].lens.model),
+           rig.outputs[0].lens.fov_rad * 180.0 / pi, sight.spectator.fov_rad * 180.0 / pi, psnr,
+           moved, contrast(plain));
+    check_at_least(psnr, psnr_least_db);
+    check_at_most(moved, displacement_most_px);
+    check_at_least(blocks, WIDTH / BLOCK * (HEIGHT / BLOCK) / 2);
+    check_at_least(contrast(plain), 0.1);
+    wrong.outputs[0].aim.yaw_rad += radians(0.1);
+    check_wrong(&sight, &wrong, image.texture, plain, psnr);
+    wrong = rig;
+    wrong.outputs[0].circle.center_x_px += 1.0;
+    check_wrong(&sight, &wrong, image.texture, plain, psnr);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    free(plain);
+    free(seen);
+    picture_release(&image);
+    fixture_release(&sight.fixture);
+}
+
+static void theatre_seen_from_the_eye_is_the_scene_in_plain_perspective(void **state)
+{
+    (void)state;
+    for (uint64_t rig = 0; rig < RIGS; rig++) {
+        uint64_t seed = 7000 + rig;
+        printf("seed %d: ", (int)seed);
+        compare(&seed);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(theatre_seen_from_the_eye_is_the_scene_in_plain_perspective),
+    };
+    return cmocka_run_group_tests_name("end_to_end", tests, setup, teardown);
+}
