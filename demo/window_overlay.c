@@ -11,19 +11,21 @@
 
 static const double RADIANS = 3.14159265358979323846 / 180;
 
-static const char keys_text[] = "W A S D, Q E   fly (shift: faster)\n"
-                                "mouse drag     look round\n"
-                                "L              next lens\n"
-                                "O              next layout\n"
-                                "1-8, 0         number of views, 0 automatic\n"
-                                "T              next table stage\n"
-                                "V              views as thumbnails\n"
-                                "G              test grid in degrees\n"
-                                "P              preview: off, eye, outside\n"
-                                "F              full screen\n"
-                                "F12            save the picture\n"
-                                "H, F1          this help\n"
-                                "Esc            quit";
+static const char keys_text[] = "W A S D, Q E\nmouse drag\nL\nO\n1-8, 0\nT\nV\nG\nP\nF\nF12\n"
+                                "H, F1\nEsc";
+static const char meanings_text[] = "fly (shift: faster)\n"
+                                    "look round\n"
+                                    "next lens\n"
+                                    "next layout\n"
+                                    "number of views, 0: automatic\n"
+                                    "next table stage\n"
+                                    "views as thumbnails\n"
+                                    "test grid in degrees\n"
+                                    "preview: off, eye, outside\n"
+                                    "full screen\n"
+                                    "save the picture\n"
+                                    "this help\n"
+                                    "quit";
 
 void window_notice(struct window *window, const char *text)
 {
@@ -73,15 +75,16 @@ static const char *mode_name(enum show_mode mode)
     return names[mode];
 }
 
+/* The letters are not all of one width, so keys and meanings are two columns. */
 static void draw_help(struct window *window)
 {
-    char text[1600];
+    char text[600];
+    double scale = text_scale(window), keys_width, height;
     const struct cupola_lens *lens = &window->setup.rig.outputs[0].lens;
     const struct cupola_plan_report *report = show_report(window->show);
-    size_t used =
-        (size_t)snprintf(text, sizeof text, "%s\n\n%s, lens %s %.4g degrees\n", keys_text,
-                         mode_name(window->setup.mode), cupola_lens_model_name((int)lens->model),
-                         lens->fov_rad / RADIANS);
+    size_t used = (size_t)snprintf(
+        text, sizeof text, "%s, lens %s %.4g degrees\n", mode_name(window->setup.mode),
+        cupola_lens_model_name((int)lens->model), lens->fov_rad / RADIANS);
 
     if (report)
         used += (size_t)snprintf(text + used, sizeof text - used,
@@ -91,7 +94,11 @@ static void draw_help(struct window *window)
                                  cupola_table_name((int)window->setup.table));
     snprintf(text + used, sizeof text - used, "%dx%d, %.1f frames per second", window->width,
              window->height, 1000 / fmax(window->frame_ms, 1e-3));
-    overlay_text(window->overlay, window->width, window->height, 4, 4, text_scale(window), text);
+    overlay_size(keys_text, scale, &keys_width, &height);
+    overlay_text(window->overlay, window->width, window->height, 4, 4, scale, keys_text);
+    overlay_text(window->overlay, window->width, window->height, 4 + keys_width, 4, scale,
+                 meanings_text);
+    overlay_text(window->overlay, window->width, window->height, 4, 8 + height, scale, text);
 }
 
 /* A number at the place of the image that shows a point of the screen. */

@@ -3,14 +3,9 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <string.h>
 
 #include "error.h"
-
-static const double pi = 3.14159265358979323846;
-
-/* 180 degrees may come out of a conversion a few units in the last place too large. */
-static const double angle_slack = 1e-12;
+#include "names.h"
 
 static const char *const model_names[] = {
     [CUPOLA_LENS_ANGULAR] = "angular",       [CUPOLA_LENS_HEMISPHERIC] = "hemispheric",
@@ -22,15 +17,12 @@ enum { MODEL_COUNT = sizeof model_names / sizeof model_names[0] };
 
 const char *cupola_lens_model_name(int model)
 {
-    return model >= 0 && model < MODEL_COUNT ? model_names[model] : NULL;
+    return name_of_number(model_names, MODEL_COUNT, model);
 }
 
 int cupola_lens_model_find(const char *name)
 {
-    for (int model = 0; name && model < MODEL_COUNT; model++)
-        if (strcmp(name, model_names[model]) == 0)
-            return model;
-    return CUPOLA_ERROR_ARGUMENT;
+    return number_of_name(model_names, MODEL_COUNT, name);
 }
 
 static double polynomial_radius(const double k[4], double angle)

@@ -2,10 +2,8 @@
 #ifndef LENS_PRIVATE_H
 #define LENS_PRIVATE_H
 
+#include "angle.h"
 #include "cupola/lens.h"
-
-/* Degrees are for people: messages say both. */
-#define RAD_AND_DEG(angle_rad) (angle_rad), (angle_rad) * (180.0 / 3.14159265358979323846)
 
 enum { LENS_KNOTS_MAX = CUPOLA_LENS_TABLE_MAX + 1 };
 

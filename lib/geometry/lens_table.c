@@ -8,8 +8,6 @@
 #include "error.h"
 #include "lens.h"
 
-static const double pi = 3.14159265358979323846;
-
 static int check_samples(const struct cupola_lens *lens, struct cupola_error *error)
 {
     for (int i = 0; i < lens->table_count; i++) {

@@ -6,10 +6,9 @@
 #include <stdlib.h>
 
 #include "error.h"
+#include "names.h"
 #include "vector.h"
 #include "views.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Candidates are compared on a coarse grid of rays, the one chosen is fitted on a fine one. */
 enum { COARSE_CELLS = 32, FINE_CELLS = 512 };
@@ -20,15 +19,12 @@ enum { LAYOUT_COUNT = sizeof layout_names / sizeof layout_names[0] };
 
 const char *cupola_layout_name(int layout)
 {
-    return layout >= 0 && layout < LAYOUT_COUNT ? layout_names[layout] : NULL;
+    return name_of_number(layout_names, LAYOUT_COUNT, layout);
 }
 
 int cupola_layout_find(const char *name)
 {
-    for (int layout = 0; name && layout < LAYOUT_COUNT; layout++)
-        if (strcmp(name, layout_names[layout]) == 0)
-            return layout;
-    return CUPOLA_ERROR_ARGUMENT;
+    return number_of_name(layout_names, LAYOUT_COUNT, name);
 }
 
 static int check_integer(const char *name, int value, int least, int most,

@@ -13,11 +13,12 @@
 
 #include <stddef.h>
 
+#include "angle.h"
 #include "cupola/plan.h"
 #include "dome.h"
 
 /* A view's axis and a ray that falls to it are at most this far apart. */
-#define PLAN_REACH_RAD (80.0 * (3.14159265358979323846 / 180.0))
+#define PLAN_REACH_RAD (80.0 * (pi / 180.0))
 
 struct cupola_plan {
     cupola_dome dome;
@@ -54,6 +55,10 @@ struct plan_rays {
 int plan_rays_gather(const cupola_dome *dome, int cells_max, struct plan_rays *rays,
                      struct cupola_error *error);
 void plan_rays_release(struct plan_rays *rays);
+
+/* Calls a function for every lit cell, with its corners counter-clockwise from the lower left. */
+typedef void plan_cell_visitor(const struct plan_ray *const corners[4], void *user);
+void plan_rays_visit(const struct plan_rays *rays, plan_cell_visitor *visit, void *user);
 
 /* The corners of cell (column, row), counter-clockwise from the lower left. */
 static inline void plan_cell(const struct plan_grid *grid, int column, int row,

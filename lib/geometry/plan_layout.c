@@ -5,7 +5,6 @@
 #include "plan.h"
 #include "vector.h"
 
-static const double pi = 3.14159265358979323846;
 static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /* The best candidate so far. */
@@ -80,27 +79,23 @@ static void look_along_mean(const double mean[3], double rotation[9])
     memcpy(rotation + 6, back, sizeof back);
 }
 
-/* Least and largest a (or b, for axis 1) of all rays on the plane of an orientation. */
-static void plane_extent(const struct plan_rays *rays, const double rotation[9], int axis,
-                         double *least, double *largest)
+/* Where the rays meet the plane of an orientation: left, right, bottom, top. */
+struct extent {
+    const double *rotation;
+    double bounds[4];
+};
+
+static void extend(const struct plan_ray *const corners[4], void *user)
 {
-    *least = HUGE_VAL;
-    *largest = -HUGE_VAL;
-    for (int g = 0; g < rays->count; g++) {
-        const struct plan_grid *grid = &rays->grids[g];
-        for (int row = 0; row < grid->rows; row++)
-            for (int column = 0; column < grid->columns; column++) {
-                const struct plan_ray *corners[4];
-                plan_cell(grid, column, row, corners);
-                if (!grid->lit[row * grid->columns + column])
-                    continue;
-                for (int i = 0; i < 4; i++) {
-                    double q[3];
-                    transform3(rotation, corners[i]->ray.at, q);
-                    *least = fmin(*least, q[axis] / -q[2]);
-                    *largest = fmax(*largest, q[axis] / -q[2]);
-                }
-            }
+    struct extent *extent = user;
+    for (int i = 0; i < 4; i++) {
+        double q[3];
+        transform3(extent->rotation, corners[i]->ray.at, q);
+        for (int axis = 0; axis < 2; axis++) {
+            double *bounds = extent->bounds + 2 * axis;
+            bounds[0] = fmin(bounds[0], q[axis] / -q[2]);
+            bounds[1] = fmax(bounds[1], q[axis] / -q[2]);
+        }
     }
 }
 
@@ -113,12 +108,12 @@ static void cut_plane(const struct plan_rays *rays, const double rotation[9], in
                       struct cupola_view *views)
 {
     const int parts[2] = {columns, rows};
+    struct extent extent = {rotation, {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL}};
     double offset[2][CUPOLA_VIEWS_MAX];
+    plan_rays_visit(rays, extend, &extent);
     for (int axis = 0; axis < 2; axis++) {
-        double least, largest, sum = 0;
-        plane_extent(rays, rotation, axis, &least, &largest);
-        least = atan(least);
-        largest = atan(largest);
+        double least = atan(extent.bounds[2 * axis]), largest = atan(extent.bounds[2 * axis + 1]);
+        double sum = 0;
         for (int k = 0; k < parts[axis]; k++) {
             if (k > 0)
                 sum += tan(least + (largest - least) * k / parts[axis]);

@@ -102,9 +102,7 @@ static double lit_area(const struct plan_ray *const corners[4])
     return 0.5 * fabs(twice) * on_screen / 4;
 }
 
-typedef void cell_visitor(const struct plan_ray *const corners[4], struct plan_rays *rays);
-
-static void visit_cells(struct plan_rays *rays, cell_visitor *visit)
+void plan_rays_visit(const struct plan_rays *rays, plan_cell_visitor *visit, void *user)
 {
     for (int g = 0; g < rays->count; g++) {
         const struct plan_grid *grid = &rays->grids[g];
@@ -113,13 +111,14 @@ static void visit_cells(struct plan_rays *rays, cell_visitor *visit)
                 const struct plan_ray *corners[4];
                 plan_cell(grid, column, row, corners);
                 if (grid->lit[row * grid->columns + column])
-                    visit(corners, rays);
+                    visit(corners, user);
             }
     }
 }
 
-static void add_cell(const struct plan_ray *const corners[4], struct plan_rays *rays)
+static void add_cell(const struct plan_ray *const corners[4], void *user)
 {
+    struct plan_rays *rays = user;
     double area = lit_area(corners);
     rays->pixels += area;
     for (int i = 0; i < 4; i++) {
@@ -129,8 +128,9 @@ static void add_cell(const struct plan_ray *const corners[4], struct plan_rays *
     }
 }
 
-static void widen_opening(const struct plan_ray *const corners[4], struct plan_rays *rays)
+static void widen_opening(const struct plan_ray *const corners[4], void *user)
 {
+    struct plan_rays *rays = user;
     for (int i = 0; i < 4; i++) {
         const double *v = corners[i]->ray.at;
         double across[3];
@@ -149,7 +149,7 @@ int plan_rays_gather(const cupola_dome *dome, int cells_max, struct plan_rays *r
             plan_rays_release(rays);
             return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for the rays of output %d", i);
         }
-    visit_cells(rays, add_cell);
+    plan_rays_visit(rays, add_cell, rays);
     if (!(rays->pixels > 0)) {
         plan_rays_release(rays);
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
@@ -169,7 +169,7 @@ int plan_rays_gather(const cupola_dome *dome, int cells_max, struct plan_rays *r
         const double axis[3] = {0, 0, -1}; /* seen all round: any direction will do */
         cupola_dome_to_camera(dome, axis, rays->mean);
     }
-    visit_cells(rays, widen_opening);
+    plan_rays_visit(rays, widen_opening, rays);
     return CUPOLA_OK;
 }
 

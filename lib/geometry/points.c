@@ -14,7 +14,7 @@ void projector_prepare(const struct cupola_output *output, const struct cupola_s
         .sign = {output->flip & CUPOLA_FLIP_X ? -1 : 1, output->flip & CUPOLA_FLIP_Y ? -1 : 1},
         .screen_radius_m = screen->radius_m,
         .cap_cosine = cos(screen->cap_rad),
-        .capped = screen->cap_rad < 3.14159265358979,
+        .capped = screen->cap_rad < pi - angle_slack,
     };
     memcpy(projector->position_m, output->position_m, sizeof projector->position_m);
     double yaw[9], pitch[9], roll[9];

@@ -8,9 +8,6 @@
 #include "lens.h"
 #include "vector.h"
 
-static const double pi = 3.14159265358979323846;
-static const double angle_slack = 1e-12;
-
 enum { SIZE_DEFAULT_PX = 1024, SIZE_MAX_PX = 32768 };
 
 static const double radius_max_m = 1000;

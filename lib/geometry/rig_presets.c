@@ -2,10 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "angle.h"
 #include "cupola/rig.h"
 #include "error.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* The maker published the image's size, the opening and the lens (f-theta); that projector and
  * viewer stand at the centre is assumed, and so are radius and cap. */

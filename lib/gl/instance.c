@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "names.h"
 
 static const char *const table_names[] = {
     [CUPOLA_TABLE_POINTS] = "points",           [CUPOLA_TABLE_NONE] = "none",
@@ -16,15 +17,12 @@ enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0] };
 
 const char *cupola_table_name(int table)
 {
-    return table >= 0 && table < TABLE_COUNT ? table_names[table] : NULL;
+    return name_of_number(table_names, TABLE_COUNT, table);
 }
 
 int cupola_table_find(const char *name)
 {
-    for (int table = 0; name && table < TABLE_COUNT; table++)
-        if (strcmp(name, table_names[table]) == 0)
-            return table;
-    return CUPOLA_ERROR_ARGUMENT;
+    return number_of_name(table_names, TABLE_COUNT, name);
 }
 
 int context_check(struct cupola_error *error)

@@ -7,12 +7,11 @@
 #include <string.h>
 
 #include "error.h"
+#include "geometry/angle.h"
 #include "geometry/vector.h"
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
-
-static const double pi = 3.14159265358979323846;
 
 struct cupola_theatre {
     struct cupola_dome dome;

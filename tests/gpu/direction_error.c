@@ -77,18 +77,18 @@ static void count_pixel(struct direction_error *error, const struct cupola_ray *
     double deg = angle_between(shown, ray->direction) * (180.0 / 3.14159265358979323846);
     double px = displacement_px(ray, shown);
     if (!(deg <= error->deg)) {
-        error->deg = isfinite(deg) ? deg : INFINITY;
+        error->deg = isfinite(deg) ? deg : (double)INFINITY;
         error->deg_at[0] = i;
         error->deg_at[1] = j;
     }
     if (!(px <= error->px)) {
-        error->px = isfinite(px) ? px : INFINITY;
+        error->px = isfinite(px) ? px : (double)INFINITY;
         error->px_at[0] = i;
         error->px_at[1] = j;
     }
     double *part = border ? &error->border_px : &error->interior_px;
     if (!(px <= *part))
-        *part = isfinite(px) ? px : INFINITY;
+        *part = isfinite(px) ? px : (double)INFINITY;
     error->pixels++;
     error->border_pixels += border;
 }

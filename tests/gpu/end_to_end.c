@@ -149,7 +149,7 @@ static int lit_in_full(const cupola_dome *dome, const double direction[3], struc
         return 0;
     for (int i = 0; i < 4; i++) {
         double x = floor(at[0] - 0.5) + 0.5 + (i & 1), y = floor(at[1] - 0.5) + 0.5 + (i >> 1);
-        if (cupola_dome_ray(dome, 0, NULL, x, y, ray) != 1 || ray->coverage < 1.0)
+        if (cupola_dome_ray(dome, 0, NULL, x, y, ray) != 1 || ray->coverage < 1.0 - 1e-6)
             return 0;
     }
     return cupola_dome_ray(dome, 0, NULL, at[0], at[1], ray);
