@@ -7,6 +7,7 @@
 
 #include <cupola/version.h>
 
+#include "model_trial.h"
 #include "options.h"
 #include "output_file.h"
 #include "show.h"
@@ -38,6 +39,8 @@ static int run(const struct options *options, const struct show_setup *setup, ch
 {
     bool window_wish = options->fullscreen || options->monitor >= 0 || options->swap_interval >= 0;
 
+    if (options->model && !model_trial(options->model, !options->flat, message, MESSAGE_SIZE))
+        return STATUS_FAILED;
     if (!options->headless && !options->output) {
         int status = window_run(options, setup, message);
         if (status != WINDOW_NO_DISPLAY || window_wish)

@@ -29,7 +29,7 @@ int views_create(cupola_gl *gl, struct cupola_error *error)
                          width, height);
     /* What lies between the views is never sampled, but it is seen by whoever shows the atlas. */
     const GLfloat black[4] = {0, 0, 0, 0};
-    glDisable(GL_SCISSOR_TEST);
+    host_set_area(&gl->features, 0, 0, width, height);
     glClearBufferfv(GL_COLOR, 0, black);
     return CUPOLA_OK;
 }

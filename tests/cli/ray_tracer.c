@@ -42,9 +42,8 @@ struct vector vector_normal(struct vector a)
 
 struct vector vector_rotated(const struct rotation *rotation, struct vector a)
 {
-    return vector_add(
-        vector_add(vector_scaled(rotation->x, a.x), vector_scaled(rotation->y, a.y)),
-        vector_scaled(rotation->z, a.z));
+    return vector_add(vector_add(vector_scaled(rotation->x, a.x), vector_scaled(rotation->y, a.y)),
+                      vector_scaled(rotation->z, a.z));
 }
 
 static struct rotation product(const struct rotation *a, const struct rotation *b)
@@ -77,7 +76,8 @@ static struct rotation about_z(double deg)
 /* From the dome frame to the world: tilt, then the camera that looks at a point, +Y up. */
 static struct rotation host_rotation(const struct theatre *theatre)
 {
-    struct vector back = vector_normal(vector_add(theatre->camera, vector_scaled(theatre->look, -1)));
+    struct vector back =
+        vector_normal(vector_add(theatre->camera, vector_scaled(theatre->look, -1)));
     struct vector right = vector_normal(vector_cross((struct vector){0, 1, 0}, back));
     struct rotation camera = {right, vector_cross(back, right), back};
     struct rotation tilt = about_x(theatre->tilt_deg);
@@ -140,16 +140,13 @@ static double lens_angle(const struct theatre *theatre, double r)
     return (low + high) / 2;
 }
 
-bool tracer_ray(const struct tracer *tracer, double x_px, double y_px, struct vector *ray)
+/* Of image radius r <= 1 in direction `azimuth` of the picture. */
+static bool ray_inside(const struct tracer *tracer, double r, double azimuth, struct vector *ray)
 {
     const struct theatre *theatre = &tracer->theatre;
-    double x = (x_px - theatre->circle_x_px) / theatre->circle_radius_px;
-    double y = (y_px - theatre->circle_y_px) / theatre->circle_radius_px;
-    double r = fmin(hypot(x, y), 1), azimuth, angle, along, t;
+    double angle = lens_angle(theatre, r), along, t;
     struct vector lens_ray, point;
 
-    azimuth = atan2(theatre->flip_y ? -y : y, theatre->flip_x ? -x : x);
-    angle = lens_angle(theatre, r);
     lens_ray = (struct vector){sin(angle) * cos(azimuth), sin(angle) * sin(azimuth), -cos(angle)};
     lens_ray = vector_rotated(&tracer->aim, lens_ray);
     along = vector_dot(theatre->projector_m, lens_ray);
@@ -160,6 +157,23 @@ bool tracer_ray(const struct tracer *tracer, double x_px, double y_px, struct ve
     *ray = vector_normal(vector_rotated(&tracer->host, *ray));
     return theatre->cap_deg >= 180 ||
            acos(fmax(-1, -point.z / theatre->radius_m)) <= theatre->cap_deg * DEGREE;
+}
+
+bool tracer_ray(const struct tracer *tracer, double x_px, double y_px, struct vector *ray)
+{
+    const struct theatre *theatre = &tracer->theatre;
+    double x = (x_px - theatre->circle_x_px) / theatre->circle_radius_px;
+    double y = (y_px - theatre->circle_y_px) / theatre->circle_radius_px;
+    double r = hypot(x, y);
+    double azimuth = atan2(theatre->flip_y ? -y : y, theatre->flip_x ? -x : x);
+    struct vector inner;
+    bool on_screen = ray_inside(tracer, fmin(r, 1), azimuth, ray);
+
+    if (r > 1) {
+        ray_inside(tracer, fmax(2 - r, 0), azimuth, &inner);
+        *ray = vector_normal(vector_add(vector_scaled(*ray, 2), vector_scaled(inner, -1)));
+    }
+    return on_screen;
 }
 
 void tracer_prepare(struct tracer *tracer, const struct theatre *theatre,
@@ -293,17 +307,22 @@ static void filter(const struct tracer *tracer, const struct neighbourhood *near
     }
 }
 
-/* The part of pixel (i, j) that lies inside the image circle. */
+/*
+ * The part of pixel (i, j) that lies inside the image circle: the sum over lines along which the
+ * rim is crossed rather than followed.
+ */
 static double coverage(const struct theatre *theatre, int i, int j)
 {
+    double x = i - theatre->circle_x_px, y = j - theatre->circle_y_px;
     double radius = theatre->circle_radius_px, sum = 0;
+    bool upright = fabs(y + 0.5) > fabs(x + 0.5);
+    double across = upright ? x : y, along = upright ? y : x;
 
     for (int n = 0; n < COVERAGE_STEPS; n++) {
-        double x = i + (n + 0.5) / COVERAGE_STEPS - theatre->circle_x_px;
-        double half = fabs(x) < radius ? sqrt(radius * radius - x * x) : 0;
+        double place = across + (n + 0.5) / COVERAGE_STEPS;
+        double half = fabs(place) < radius ? sqrt(radius * radius - place * place) : 0;
 
-        sum += fmax(0, fmin(j + 1, theatre->circle_y_px + half) -
-                           fmax(j, theatre->circle_y_px - half));
+        sum += fmax(0, fmin(along + 1, half) - fmax(along, -half));
     }
     return sum / COVERAGE_STEPS;
 }

@@ -89,7 +89,8 @@ void tracer_prepare(struct tracer *tracer, const struct theatre *theatre,
 
 /*
  * The direction in the world in which the viewer sees image point (x, y) (px, origin bottom left);
- * beyond the rim, that of the rim. False where the point lit is not on the screen.
+ * beyond the rim, where no lens says it, as far beyond that of the rim as the way to it goes on
+ * straight. False where the point lit is not on the screen.
  */
 bool tracer_ray(const struct tracer *tracer, double x_px, double y_px, struct vector *ray);
 

@@ -106,18 +106,17 @@ static int middle_of(struct vector *points, int *count, int a, int b)
     return (*count)++;
 }
 
-/* An octahedron, each face cut into four, each of these into four where it is fine; 32 or 128
- * triangles would be too few or too many in some worlds, so some faces are cut once only. */
+/* An icosahedron, each face cut into four. */
 static int make_sphere(struct vector *points, int faces[ROOM_TRIANGLES][3])
 {
     static const int ICOSAHEDRON[20][3] = {
-        {0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+        {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
         {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-        {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+        {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     const double g = 1.61803398874989485;
-    const struct vector corners[12] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0},
-                                       {0, -1, g},  {0, 1, g},  {0, -1, -g}, {0, 1, -g},
-                                       {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    const struct vector corners[12] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
+                                       {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
+                                       {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
     int count = 12, made = 0;
 
     for (int i = 0; i < 12; i++)
@@ -138,18 +137,31 @@ static int make_sphere(struct vector *points, int faces[ROOM_TRIANGLES][3])
     return count;
 }
 
-/* Seen from the eye the room has no hole, because its points keep their directions. */
+/* Three random directions at right angles. */
+static struct rotation random_rotation(uint64_t *random)
+{
+    struct vector x = random_direction(random);
+    struct vector y = vector_normal(vector_cross(x, random_direction(random)));
+
+    return (struct rotation){x, y, vector_cross(x, y)};
+}
+
+/*
+ * Seen from the eye the room has no hole, because its points keep their directions. It is turned,
+ * because an edge along a row of texels would be as far off as the row is, all along.
+ */
 static void add_room(struct traced_world *world, struct vector eye, uint64_t *random)
 {
     struct vector points[ROOM_POINTS];
     int faces[ROOM_TRIANGLES][3];
     double size = random_distance(random, 0.5, 6);
     int count = make_sphere(points, faces);
+    struct rotation turn = random_rotation(random);
 
     assert_int_equal(count, ROOM_POINTS);
     for (int i = 0; i < count; i++)
-        points[i] = vector_add(
-            eye, vector_scaled(points[i], size * random_distance(random, 0.7, 1.6)));
+        points[i] = vector_add(eye, vector_scaled(vector_rotated(&turn, points[i]),
+                                                  size * random_distance(random, 0.7, 1.6)));
     for (int f = 0; f < ROOM_TRIANGLES; f++)
         add_triangle(world, points[faces[f][0]], points[faces[f][1]], points[faces[f][2]],
                      random_colour(world, random));
@@ -175,14 +187,12 @@ static void add_box(struct traced_world *world, struct vector eye, double distan
     static const int FACES[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                     {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
     struct vector middle = vector_scaled(random_direction(random), distance), corner[8];
-    struct vector x = random_direction(random);
-    struct vector y = vector_normal(vector_cross(x, random_direction(random)));
-    struct vector z = vector_cross(x, y);
+    struct rotation turn = random_rotation(random);
+    struct vector x = vector_scaled(turn.x, distance * random_between(random, 0.05, 0.4));
+    struct vector y = vector_scaled(turn.y, distance * random_between(random, 0.05, 0.4));
+    struct vector z = vector_scaled(turn.z, distance * random_between(random, 0.05, 0.4));
     int first = world->triangle_count;
 
-    x = vector_scaled(x, distance * random_between(random, 0.05, 0.4));
-    y = vector_scaled(y, distance * random_between(random, 0.05, 0.4));
-    z = vector_scaled(z, distance * random_between(random, 0.05, 0.4));
     middle = vector_add(eye, middle);
     for (int i = 0; i < 8; i++) {
         corner[i] = vector_add(middle, vector_scaled(x, i & 1 ? 1 : -1));
@@ -236,7 +246,7 @@ static void write_materials(const struct traced_world *world, const char *name)
     assert_int_equal(fclose(file), 0);
 }
 
-/* With the vertices shared or not, each winding, one based or counted back from the last. */
+/* Either winding; counted from the first vertex of the file or back from the last one. */
 static void write_face(FILE *file, int first_vertex, bool turned, bool counted_back)
 {
     int a = first_vertex, b = first_vertex + (turned ? 2 : 1), c = first_vertex + (turned ? 1 : 2);

@@ -14,9 +14,9 @@ static const char *const eye_names[] = {"centre", "0.3 R off", "0.8 R back", "0.
 enum { VALUES_MAX = 8, ATTEMPTS = 24, TRUNCATED = 2, MATRIX_PROPERTIES = CASE_EYE + 1 };
 
 static const int value_counts[CASE_PROPERTIES] = {
-    [CASE_LENS] = 6,      [CASE_FOV] = 5,   [CASE_LAYOUT] = 3,   [CASE_VIEWS] = 7, [CASE_SIZE] = 3,
-    [CASE_EYE] = 4,       [CASE_PROJECTOR] = 3, [CASE_AIM] = 2,  [CASE_TILT] = 3,  [CASE_FLIP] = 4,
-    [CASE_STAGE] = 5,     [CASE_ROTATION] = 2,  [CASE_OUTPUTS] = 2, [CASE_CAP] = 2,
+    [CASE_LENS] = 6,  [CASE_FOV] = 5,       [CASE_LAYOUT] = 3,  [CASE_VIEWS] = 7, [CASE_SIZE] = 3,
+    [CASE_EYE] = 4,   [CASE_PROJECTOR] = 3, [CASE_AIM] = 2,     [CASE_TILT] = 3,  [CASE_FLIP] = 4,
+    [CASE_STAGE] = 5, [CASE_ROTATION] = 2,  [CASE_OUTPUTS] = 2, [CASE_CAP] = 2,
 };
 
 /* ---- from values to a theatre ---- */
@@ -35,9 +35,9 @@ static void build_output(const int *values, uint64_t *seed, double radius_m,
     output->flip = values[CASE_FLIP];
     random_in_ball(seed, offset * radius_m, output->position_m);
     if (values[CASE_AIM])
-        output->aim = (struct cupola_aim){random_between(seed, -0.7, 0.7),
-                                          random_between(seed, -0.5, 0.5),
-                                          random_between(seed, -3.0, 3.0)};
+        output->aim =
+            (struct cupola_aim){random_between(seed, -0.7, 0.7), random_between(seed, -0.5, 0.5),
+                                random_between(seed, -3.0, 3.0)};
 }
 
 /* Away from where the first lens looks. */
@@ -92,8 +92,8 @@ static void describe_case(struct theatre_case *theatre)
              cupola_layout_name(values[CASE_LAYOUT]), view_counts[values[CASE_VIEWS]], size[0],
              size[1], eye_names[values[CASE_EYE]], projectors[values[CASE_PROJECTOR]],
              values[CASE_AIM], values[CASE_TILT], values[CASE_FLIP],
-             cupola_table_name(values[CASE_STAGE]), values[CASE_ROTATION],
-             1 + values[CASE_OUTPUTS], values[CASE_CAP]);
+             cupola_table_name(values[CASE_STAGE]), values[CASE_ROTATION], 1 + values[CASE_OUTPUTS],
+             values[CASE_CAP]);
 }
 
 /* Whether there is such a lens at all. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "worse.h"
 
 static const double coverage_least = 0.1;
 
@@ -38,31 +39,38 @@ static double displacement_px(const struct cupola_ray *ray, const double shown[3
     return hypot(yy * x - xy * y, xx * y - xy * x) / determinant;
 }
 
-/* Per pixel, the view that its ray falls to; -1 where too little of it is lit. */
-static signed char *views_of_pixels(const struct fixture *fixture, int output)
+/* What one pixel should show. */
+struct expected {
+    struct cupola_ray ray;
+    int view; /* that the ray falls to; -1 where too little of the pixel is lit */
+};
+
+static struct expected *expected_of(const struct fixture *fixture, int output,
+                                    const cupola_dome *oracle)
 {
     const struct cupola_output *size = fixture_output(fixture, output);
-    signed char *views = malloc((size_t)size->width_px * (size_t)size->height_px);
-    assert_non_null(views);
+    struct expected *pixels =
+        malloc((size_t)size->width_px * (size_t)size->height_px * sizeof *pixels);
+    assert_non_null(pixels);
     for (int j = 0; j < size->height_px; j++)
         for (int i = 0; i < size->width_px; i++) {
-            struct cupola_ray ray;
-            cupola_dome_ray(fixture->dome, output, NULL, i + 0.5, j + 0.5, &ray);
-            bool counts = ray.coverage > coverage_least;
-            views[j * size->width_px + i] =
-                (signed char)(counts ? cupola_plan_select(fixture->plan, ray.direction) : -1);
+            struct expected *pixel = &pixels[j * size->width_px + i];
+            cupola_dome_ray(oracle, output, NULL, i + 0.5, j + 0.5, &pixel->ray);
+            bool counts = pixel->ray.coverage > coverage_least;
+            pixel->view = counts ? cupola_plan_select(fixture->plan, pixel->ray.direction) : -1;
         }
-    return views;
+    return pixels;
 }
 
-static bool at_view_border(const signed char *views, const struct cupola_output *size, int i, int j)
+static bool at_view_border(const struct expected *pixels, const struct cupola_output *size, int i,
+                           int j)
 {
-    int own = views[j * size->width_px + i];
+    int own = pixels[j * size->width_px + i].view;
     for (int y = j - 1; y <= j + 1; y++)
         for (int x = i - 1; x <= i + 1; x++) {
             if (x < 0 || y < 0 || x >= size->width_px || y >= size->height_px)
                 continue;
-            int other = views[y * size->width_px + x];
+            int other = pixels[y * size->width_px + x].view;
             if (other >= 0 && other != own)
                 return true;
         }
@@ -77,18 +85,17 @@ static void count_pixel(struct direction_error *error, const struct cupola_ray *
     double deg = angle_between(shown, ray->direction) * (180.0 / 3.14159265358979323846);
     double px = displacement_px(ray, shown);
     if (!(deg <= error->deg)) {
-        error->deg = isfinite(deg) ? deg : (double)INFINITY;
+        error->deg = worse_of(error->deg, deg);
         error->deg_at[0] = i;
         error->deg_at[1] = j;
     }
     if (!(px <= error->px)) {
-        error->px = isfinite(px) ? px : (double)INFINITY;
+        error->px = worse_of(error->px, px);
         error->px_at[0] = i;
         error->px_at[1] = j;
     }
     double *part = border ? &error->border_px : &error->interior_px;
-    if (!(px <= *part))
-        *part = isfinite(px) ? px : (double)INFINITY;
+    *part = worse_of(*part, px);
     error->pixels++;
     error->border_pixels += border;
 }
@@ -97,17 +104,16 @@ struct direction_error direction_error_of(const struct fixture *fixture, int out
                                           const float *image, const cupola_dome *oracle)
 {
     const struct cupola_output *size = fixture_output(fixture, output);
-    signed char *views = views_of_pixels(fixture, output);
-    struct direction_error error = {0};
+    struct expected *pixels = expected_of(fixture, output, oracle);
+    struct direction_error error = {.deg = 0};
     for (int j = 0; j < size->height_px; j++)
         for (int i = 0; i < size->width_px; i++) {
             int place = j * size->width_px + i;
-            struct cupola_ray ray;
-            if (views[place] < 0)
+            if (pixels[place].view < 0)
                 continue;
-            cupola_dome_ray(oracle, output, NULL, i + 0.5, j + 0.5, &ray);
-            count_pixel(&error, &ray, image + 4 * place, at_view_border(views, size, i, j), i, j);
+            count_pixel(&error, &pixels[place].ray, image + 4 * place,
+                        at_view_border(pixels, size, i, j), i, j);
         }
-    free(views);
+    free(pixels);
     return error;
 }

@@ -5,13 +5,13 @@
 #include "fixture.h"
 
 struct direction_error {
-    double deg;            /* the largest angle between colour and ray */
-    double px;             /* the largest displacement in the image that explains the colour */
-    int deg_at[2];         /* pixels */
-    int px_at[2];          /*   where they are */
-    double interior_px;    /* `px` where all eight neighbours fall to the same view */
-    double border_px;      /* `px` where one does not */
-    int pixels;            /* compared */
+    double deg;         /* the largest angle between colour and ray */
+    double px;          /* the largest displacement in the image that explains the colour */
+    int deg_at[2];      /* pixels */
+    int px_at[2];       /*   where they are */
+    double interior_px; /* `px` where all eight neighbours fall to the same view */
+    double border_px;   /* `px` where one does not */
+    int pixels;         /* compared */
     int border_pixels;
 };
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "gl/instance.h"
 #include "paint_shaders.h"
 
 static const char *const paint_sources[] = {
@@ -40,6 +41,28 @@ void fixture_make(const struct cupola_rig *rig, const struct cupola_plan_params 
     fixture_make_of_plan(plan, gl_params, fixture);
 }
 
+void fixture_replace_gl(struct fixture *fixture, const struct cupola_gl_params *gl_params)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_gl_destroy(&fixture->gl);
+    if (cupola_gl_create(fixture->plan, gl_params, &fixture->gl, &error) < 0)
+        fail_msg("%s", error.message);
+}
+
+cupola_plan *fixture_wrong_plan(const struct fixture *fixture, const struct cupola_rig *wrong)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_dome *dome = NULL;
+    cupola_plan *plan = malloc(sizeof *plan);
+    assert_non_null(plan);
+    if (cupola_dome_create(wrong, &dome, &error) < 0)
+        fail_msg("%s", error.message);
+    *plan = *fixture->plan;
+    plan->dome = *dome;
+    cupola_dome_destroy(&dome);
+    return plan;
+}
+
 void fixture_release(struct fixture *fixture)
 {
     cupola_gl_destroy(&fixture->gl);
@@ -50,6 +73,11 @@ void fixture_release(struct fixture *fixture)
 const struct cupola_output *fixture_output(const struct fixture *fixture, int output)
 {
     return &cupola_dome_rig(fixture->dome)->outputs[output];
+}
+
+GLuint fixture_table(const struct fixture *fixture, int output)
+{
+    return fixture->gl->passes[output].table;
 }
 
 static GLuint compile(GLenum kind, const char *source)

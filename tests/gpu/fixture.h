@@ -29,7 +29,13 @@ void fixture_make(const struct cupola_rig *rig, const struct cupola_plan_params 
 /* The same from a plan that exists; the fixture takes it over. */
 void fixture_make_of_plan(cupola_plan *plan, const struct cupola_gl_params *gl_params,
                           struct fixture *fixture);
+/* Another GL side for the same plan. */
+void fixture_replace_gl(struct fixture *fixture, const struct cupola_gl_params *gl_params);
 void fixture_release(struct fixture *fixture);
+
+/* The fixture's plan with the rays of another rig: a plan that is wrong. For cupola_plan_destroy.
+ */
+cupola_plan *fixture_wrong_plan(const struct fixture *fixture, const struct cupola_rig *wrong);
 
 /* Draws all views by nothing but what a host has: each view's matrices and viewport. */
 void fixture_paint(const struct fixture *fixture, enum paint paint);
@@ -39,6 +45,9 @@ float *fixture_warp(const struct fixture *fixture, int output);
 float *fixture_atlas(const struct fixture *fixture);
 /* Of any texture. */
 float *texture_read(GLuint texture, int width_px, int height_px);
+
+/* The private table of the fixture's stage, of one output; 0 for the stage none. */
+GLuint fixture_table(const struct fixture *fixture, int output);
 
 /* The programs of all paints; to be called before the context goes. */
 void fixture_forget_programs(void);

@@ -74,8 +74,8 @@ static inline double block_displacement_px(const float *plain, const float *seen
                     b[i] += weight * changes[i] * change;
                 }
             }
-    /* Steepness of 0.003 per px, root mean square. */
-    return solve_changes(m, b, 1e-5) ? hypot(b[0], b[1]) : -1.0;
+    /* Steepness of 0.001 per px, root mean square. */
+    return solve_changes(m, b, 1e-6) ? hypot(b[0], b[1]) : -1.0;
 }
 
 /* The largest of all blocks; `blocks` counts those that could tell. */

@@ -1,0 +1,94 @@
+/*
+ * The demo against a ray tracer that shares nothing with it, for random worlds and theatres. The
+ * long form (CUPOLA_LONG=1) has a hundred at 512 x 512; CUPOLA_SEED=N runs number N alone.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#include <stb_image.h>
+
+#include "check.h"
+#include "process.h"
+#include "ray_rig.h"
+
+static struct ray_rig rig;
+static struct traced_world world;
+static struct tracer tracer;
+static struct process process;
+static struct comparison comparison;
+
+static bool is_long(void)
+{
+    const char *wish = getenv("CUPOLA_LONG");
+
+    return wish && *wish && strcmp(wish, "0") != 0;
+}
+
+/* Rig `number` in its world, drawn by the demo; the picture is the caller's to free. */
+static unsigned char *draw(int number)
+{
+    static const int SIZES_PX[][2] = {{256, 256}, {317, 241}, {200, 260}};
+    const int *size_px = SIZES_PX[number % 3];
+    uint64_t random = 0x6375706f6c610000u + (uint64_t)number;
+    int width = 0, height = 0, channels;
+    unsigned char *picture;
+
+    ray_rig_make(&rig, number, is_long() ? 512 : size_px[0], is_long() ? 512 : size_px[1], &random);
+    traced_world_make(&world, theatre_eye(&rig.theatre), &random);
+    traced_world_write(&world, "world", &random);
+    strcat(rig.command, " --output x.png world.obj");
+    remove("x.png");
+    process_run(&process, rig.command, NULL);
+    if (process.status != 0) {
+        print_error("number %d: cupola-demo %s\n%s", number, rig.command, process.err);
+        return NULL;
+    }
+    picture = stbi_load("x.png", &width, &height, &channels, 3);
+    assert_non_null(picture);
+    assert_int_equal(width, rig.theatre.width_px);
+    assert_int_equal(height, rig.theatre.height_px);
+    return picture;
+}
+
+static bool agrees(int number)
+{
+    unsigned char *picture = draw(number);
+    bool good = false;
+
+    if (!picture)
+        return false;
+    tracer_prepare(&tracer, &rig.theatre, &world);
+    ray_compare(&comparison, &tracer, picture, getenv("CUPOLA_SEED") != NULL);
+    good = ray_comparison_is_good(&comparison);
+    if (!good || getenv("CUPOLA_SEED") || getenv("V")) {
+        printf("number %d: cupola-demo %s\n", number, rig.command);
+        ray_comparison_print(&comparison);
+    }
+    stbi_image_free(picture);
+    return good;
+}
+
+static void the_demo_draws_what_a_ray_tracer_sees(void **state)
+{
+    const char *seed = getenv("CUPOLA_SEED");
+    int first = seed ? atoi(seed) : 0, count = seed ? 1 : is_long() ? 100 : 12, bad = 0;
+
+    (void)state;
+    for (int number = first; number < first + count; number++)
+        bad += !agrees(number);
+    assert_int_equal(bad, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_demo_draws_what_a_ray_tracer_sees),
+    };
+    return cmocka_run_group_tests_name("ray_traced", tests, process_enter_directory,
+                                       process_leave_directory);
+}

@@ -1,0 +1,282 @@
+/* What the hosts of host_state.c bind and draw to, and the clean state of a new context. */
+#ifndef HOST_OBJECTS_H
+#define HOST_OBJECTS_H
+
+#include "hostilities.h"
+
+enum target { TARGET_SRGB, TARGET_SAMPLES, TARGET_FLOAT, TARGETS };
+enum { TARGET_WIDTH = 112, TARGET_HEIGHT = 64 };
+
+static GLuint target_framebuffers[TARGETS], target_colors[TARGETS], target_depths[TARGETS];
+static GLuint resolve_framebuffer, resolve_color;
+static GLuint naive_program, naive_vertex_array, naive_texture;
+
+static GLuint target_framebuffer(int target)
+{
+    return target_framebuffers[target];
+}
+
+/* A framebuffer with the target's colour that can be read. */
+static GLuint target_resolved(int target)
+{
+    if (target != TARGET_SAMPLES)
+        return target_framebuffers[target];
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_framebuffers[target]);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolve_framebuffer);
+    glBlitFramebuffer(0, 0, TARGET_WIDTH, TARGET_HEIGHT, 0, 0, TARGET_WIDTH, TARGET_HEIGHT,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return resolve_framebuffer;
+}
+
+static void targets_create(void)
+{
+    static const GLenum formats[TARGETS] = {GL_SRGB8_ALPHA8, GL_RGBA8, GL_RGBA32F};
+    glGenFramebuffers(TARGETS, target_framebuffers);
+    glGenRenderbuffers(TARGETS, target_colors);
+    glGenRenderbuffers(TARGETS, target_depths);
+    for (int i = 0; i < TARGETS; i++) {
+        GLsizei samples = i == TARGET_SAMPLES ? 4 : 0;
+        glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffers[i]);
+        glBindRenderbuffer(GL_RENDERBUFFER, target_colors[i]);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, formats[i], TARGET_WIDTH,
+                                         TARGET_HEIGHT);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                                  target_colors[i]);
+        glBindRenderbuffer(GL_RENDERBUFFER, target_depths[i]);
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH24_STENCIL8,
+                                         TARGET_WIDTH, TARGET_HEIGHT);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
+                                  target_depths[i]);
+        assert_int_equal(glCheckFramebufferStatus(GL_FRAMEBUFFER), GL_FRAMEBUFFER_COMPLETE);
+    }
+    glGenFramebuffers(1, &resolve_framebuffer);
+    glGenRenderbuffers(1, &resolve_color);
+    glBindFramebuffer(GL_FRAMEBUFFER, resolve_framebuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, resolve_color);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, TARGET_WIDTH, TARGET_HEIGHT);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolve_color);
+}
+
+/* Some grey, half of the depth, stencil 0; in a clean state. */
+static void targets_fill(void)
+{
+    glClearColor(0.5f, 0.4f, 2.5f, 0.6f);
+    glClearDepth(0.5);
+    glClearStencil(0);
+    for (int i = 0; i < TARGETS; i++) {
+        glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffers[i]);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    }
+}
+
+static GLuint program_of(const char *vertex, const char *fragment, const char *feedback)
+{
+    const char *const sources[] = {vertex, fragment};
+    const GLenum kinds[] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
+    GLint linked = GL_FALSE;
+    GLuint program = glCreateProgram();
+    for (int i = 0; i < 2; i++) {
+        GLuint shader = glCreateShader(kinds[i]);
+        glShaderSource(shader, 1, &sources[i], NULL);
+        glCompileShader(shader);
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    if (feedback)
+        glTransformFeedbackVaryings(program, 1, &feedback, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    assert_true(linked);
+    return program;
+}
+
+static void programs_create(void)
+{
+    static const char vertex[] = "#version 330 core\n"
+                                 "void main() { vec2 corner = vec2(gl_VertexID & 1, gl_VertexID "
+                                 ">> 1); gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0); }\n";
+    static const char fragment[] = "#version 330 core\n"
+                                   "uniform sampler2D image; out vec4 color;\n"
+                                   "void main() { color = textureLod(image, gl_FragCoord.xy / 64.0,"
+                                   " 0.0) + vec4(fract(gl_FragCoord.xy / 16.0), 0.0, 0.0); }\n";
+    naive_program = program_of(vertex, fragment, NULL);
+    hostile_program = program_of(vertex, fragment, NULL);
+    hostile_feedback_program = program_of(vertex, fragment, "gl_Position");
+    if (context_has(41, "GL_ARB_separate_shader_objects"))
+        glGenProgramPipelines(1, &hostile_pipeline);
+}
+
+static void bindings_create(void)
+{
+    static const GLfloat texels[4 * HOSTILE_SIZE * HOSTILE_SIZE] = {0.9f, 0.2f, 0.4f, 0.4f, 0.1f,
+                                                                    0.3f, 0.8f, 0.4f, 0.7f};
+    glGenTextures(SNAPSHOT_UNITS, hostile_textures);
+    glGenTextures(1, &naive_texture);
+    glGenSamplers(SNAPSHOT_UNITS, hostile_samplers);
+    for (int i = 0; i <= SNAPSHOT_UNITS; i++) {
+        glBindTexture(GL_TEXTURE_2D, i < SNAPSHOT_UNITS ? hostile_textures[i] : naive_texture);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, HOSTILE_SIZE, HOSTILE_SIZE, 0, GL_RGBA, GL_FLOAT,
+                     texels);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    }
+    for (int i = 0; i < SNAPSHOT_UNITS; i++)
+        glSamplerParameteri(hostile_samplers[i], GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glGenFramebuffers(2, hostile_framebuffers);
+    for (int i = 0; i < 2; i++) {
+        glBindFramebuffer(GL_FRAMEBUFFER, hostile_framebuffers[i]);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                               hostile_textures[i], 0);
+    }
+    glGenRenderbuffers(1, &hostile_renderbuffer);
+    glGenVertexArrays(1, &hostile_vertex_array);
+    glGenVertexArrays(1, &naive_vertex_array);
+    glGenBuffers(4, hostile_buffers);
+    for (int i = 0; i < 4; i++) {
+        glBindBuffer(GL_ARRAY_BUFFER, hostile_buffers[i]);
+        glBufferData(GL_ARRAY_BUFFER, HOSTILE_BYTES, NULL, GL_STATIC_DRAW);
+    }
+}
+
+static void objects_create(void)
+{
+    targets_create();
+    programs_create();
+    bindings_create();
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static void objects_release(void)
+{
+    glDeleteFramebuffers(TARGETS, target_framebuffers);
+    glDeleteRenderbuffers(TARGETS, target_colors);
+    glDeleteRenderbuffers(TARGETS, target_depths);
+    glDeleteFramebuffers(1, &resolve_framebuffer);
+    glDeleteRenderbuffers(1, &resolve_color);
+    glDeleteProgram(naive_program);
+    glDeleteProgram(hostile_program);
+    glDeleteProgram(hostile_feedback_program);
+    glDeleteTextures(SNAPSHOT_UNITS, hostile_textures);
+    glDeleteTextures(1, &naive_texture);
+    glDeleteSamplers(SNAPSHOT_UNITS, hostile_samplers);
+    glDeleteFramebuffers(2, hostile_framebuffers);
+    glDeleteRenderbuffers(1, &hostile_renderbuffer);
+    glDeleteVertexArrays(1, &hostile_vertex_array);
+    glDeleteVertexArrays(1, &naive_vertex_array);
+    glDeleteBuffers(4, hostile_buffers);
+    if (hostile_pipeline)
+        glDeleteProgramPipelines(1, &hostile_pipeline);
+}
+
+static void reset_capabilities(void)
+{
+    static const GLenum off[] = {GL_DEPTH_TEST,
+                                 GL_STENCIL_TEST,
+                                 GL_CULL_FACE,
+                                 GL_FRAMEBUFFER_SRGB,
+                                 GL_RASTERIZER_DISCARD,
+                                 GL_PRIMITIVE_RESTART,
+                                 GL_COLOR_LOGIC_OP,
+                                 GL_POLYGON_OFFSET_FILL,
+                                 GL_POLYGON_SMOOTH,
+                                 GL_LINE_SMOOTH,
+                                 GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                 GL_SAMPLE_ALPHA_TO_ONE,
+                                 GL_SAMPLE_COVERAGE,
+                                 GL_SAMPLE_MASK,
+                                 GL_DEPTH_CLAMP,
+                                 GL_BLEND,
+                                 GL_SCISSOR_TEST,
+                                 GL_PROGRAM_POINT_SIZE,
+                                 GL_TEXTURE_CUBE_MAP_SEAMLESS};
+    for (size_t i = 0; i < sizeof off / sizeof off[0]; i++)
+        glDisable(off[i]);
+    for (int i = 0; i < 8; i++)
+        glDisable((GLenum)(GL_CLIP_DISTANCE0 + i));
+    glEnable(GL_MULTISAMPLE);
+    glEnable(GL_DITHER);
+    if (context_has(43, "GL_ARB_ES3_compatibility"))
+        glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
+    if (context_has(40, "GL_ARB_sample_shading"))
+        glDisable(GL_SAMPLE_SHADING);
+}
+
+static void reset_values(void)
+{
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDepthRange(0.0, 1.0);
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glStencilMask(~0u);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glPrimitiveRestartIndex(0);
+    glLogicOp(GL_COPY);
+    glPolygonOffset(0.0f, 0.0f);
+    glSampleCoverage(1.0f, GL_FALSE);
+    glSampleMaski(0, ~0u);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ZERO);
+    glBlendColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glLineWidth(1.0f);
+    glPointSize(1.0f);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClearDepth(1.0);
+    glClearStencil(0);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+    if (context_has(45, "GL_ARB_clip_control"))
+        glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+static void reset_bindings(void)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    glUseProgram(0);
+    if (context_has(41, "GL_ARB_separate_shader_objects"))
+        glBindProgramPipeline(0);
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_UNIFORM_BUFFER, 0);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+    glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, 0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    for (GLuint unit = SNAPSHOT_UNITS; unit-- > 0;) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, 0);
+        glBindSampler(unit, 0);
+    }
+}
+
+static void reset_pixel_stores(void)
+{
+    static const GLenum zero[] = {
+        GL_PACK_ROW_LENGTH,    GL_PACK_SKIP_ROWS,    GL_PACK_SKIP_PIXELS,
+        GL_PACK_SWAP_BYTES,    GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
+        GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES, GL_UNPACK_IMAGE_HEIGHT};
+    for (size_t i = 0; i < sizeof zero / sizeof zero[0]; i++)
+        glPixelStorei(zero[i], 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+static void state_reset(void)
+{
+    GLboolean active = GL_FALSE;
+    if (context_has(40, "GL_ARB_transform_feedback2"))
+        glGetBooleanv(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE, &active);
+    if (active)
+        glEndTransformFeedback();
+    reset_capabilities();
+    reset_values();
+    reset_bindings();
+    reset_pixel_stores();
+    glViewport(0, 0, TARGET_WIDTH, TARGET_HEIGHT);
+    glScissor(0, 0, TARGET_WIDTH, TARGET_HEIGHT);
+}
+
+#endif

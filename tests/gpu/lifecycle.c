@@ -1,0 +1,334 @@
+/*
+ * From creation to destruction: what is made is given back, calls at the wrong moment are refused,
+ * and whoever has no fitting context is told so.
+ */
+#include <epoxy/egl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "check.h"
+#include "context.h"
+#include "fixture.h"
+#include "rig_random.h"
+
+enum { SIZE = 64, CYCLES = 50, NAMES = 4096, EXIT_SKIPPED = 77 };
+
+static struct fixture small_fixture(enum cupola_table table)
+{
+    struct fixture fixture;
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
+    const struct cupola_gl_params params = {.table = table};
+    fixture_make(&rig, NULL, &params, &fixture);
+    return fixture;
+}
+
+static void release(struct fixture *fixture)
+{
+    fixture_release(fixture);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+static int open_context(void **state)
+{
+    (void)state;
+    context_open();
+    return 0;
+}
+
+static int close_context(void **state)
+{
+    (void)state;
+    fixture_forget_programs();
+    context_close();
+    return 0;
+}
+
+static void check_refused(int status, int expected, const struct cupola_error *error,
+                          const char *word)
+{
+    assert_int_equal(status, expected);
+    assert_int_equal(error->status, expected);
+    if (!strstr(error->message, word))
+        fail_msg("'%s' does not say '%s'", error->message, word);
+}
+
+/* Without a context, first of all: nothing of the GL has been touched yet. */
+static void without_a_context_nothing_is_made(void **state)
+{
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_dome *dome = NULL;
+    cupola_plan *plan = NULL;
+    cupola_gl *gl = NULL;
+    cupola_theatre *theatre = NULL;
+    float pixel[4] = {0};
+    (void)state;
+    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_plan_create(dome, NULL, &plan, NULL), CUPOLA_OK);
+    check_refused(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    check_refused(cupola_theatre_create(dome, &theatre, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    check_refused(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    assert_int_equal(cupola_gl_create(plan, NULL, &gl, NULL), CUPOLA_ERROR_CONTEXT);
+    assert_null(gl);
+    assert_null(theatre);
+    cupola_gl_destroy(&gl);
+    cupola_gl_destroy(NULL);
+    cupola_theatre_destroy(&theatre);
+    cupola_theatre_destroy(NULL);
+    cupola_plan_destroy(&plan);
+    cupola_dome_destroy(&dome);
+}
+
+/* Makes a context of whatever version the driver gives and tries to use it; an exit status. */
+static int try_context(EGLenum api, EGLint renderable, const char *word)
+{
+    const EGLint config_wish[] = {EGL_RENDERABLE_TYPE, renderable, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint es3[] = {EGL_CONTEXT_CLIENT_VERSION, 3, EGL_NONE}, any[] = {EGL_NONE};
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    EGLConfig config = NULL;
+    EGLint configs = 0;
+    cupola_dome *dome = NULL;
+    cupola_theatre *theatre = NULL;
+    EGLDisplay display =
+        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL) || !eglBindAPI(api))
+        return EXIT_SKIPPED;
+    eglChooseConfig(display, config_wish, &config, 1, &configs);
+    EGLContext context = eglCreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR,
+                                          EGL_NO_CONTEXT, api == EGL_OPENGL_API ? any : es3);
+    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) ||
+        (api == EGL_OPENGL_API && epoxy_gl_version() >= 33))
+        return EXIT_SKIPPED;
+    if (cupola_dome_create(&rig, &dome, NULL) < 0)
+        return EXIT_FAILURE;
+    int status = cupola_theatre_create(dome, &theatre, &error);
+    printf("  %s\n", error.message);
+    fflush(stdout);
+    cupola_dome_destroy(&dome);
+    return status == CUPOLA_ERROR_CONTEXT && strstr(error.message, word) &&
+                   strstr(error.message, "3.3") && !theatre
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
+}
+
+/* In a process of its own: a process has one GL, and the version is asked for by environment. */
+static void check_in_child(EGLenum api, EGLint renderable, const char *word)
+{
+    int outcome = 0;
+    fflush(stdout);
+    pid_t child = fork();
+    assert_int_not_equal(child, -1);
+    if (child == 0) {
+        setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+        _exit(try_context(api, renderable, word));
+    }
+    assert_int_equal(waitpid(child, &outcome, 0), child);
+    assert_true(WIFEXITED(outcome));
+    if (WEXITSTATUS(outcome) == EXIT_SKIPPED)
+        print_message("no such context can be had here\n");
+    else
+        assert_int_equal(WEXITSTATUS(outcome), EXIT_SUCCESS);
+}
+
+static void context_that_is_too_old_is_refused_by_its_version(void **state)
+{
+    (void)state;
+    check_in_child(EGL_OPENGL_API, EGL_OPENGL_BIT, "OpenGL 2.1");
+}
+
+static void context_of_opengl_es_is_refused_by_its_version(void **state)
+{
+    (void)state;
+    check_in_child(EGL_OPENGL_ES_API, EGL_OPENGL_ES3_BIT, "OpenGL ES 3.");
+}
+
+/* All objects of the context whose names are not too large. */
+static int live_objects(void)
+{
+    int count = 0;
+    for (GLuint name = 1; name < NAMES; name++)
+        count += glIsTexture(name) + glIsFramebuffer(name) + glIsRenderbuffer(name) +
+                 glIsVertexArray(name) + glIsProgram(name) + glIsShader(name) + glIsBuffer(name) +
+                 glIsSampler(name);
+    return count;
+}
+
+static long resident_bytes(void)
+{
+    long pages = 0, resident = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (file && fscanf(file, "%ld %ld", &pages, &resident) != 2)
+        resident = 0;
+    if (file)
+        fclose(file);
+    return resident * sysconf(_SC_PAGESIZE);
+}
+
+static void whole_life(int cycle)
+{
+    struct fixture fixture = small_fixture((enum cupola_table)(cycle % 5));
+    cupola_theatre *theatre = NULL;
+    struct cupola_spectator spectator;
+    unsigned int points = 0;
+    fixture_paint(&fixture, PAINT_DIRECTIONS);
+    free(fixture_warp(&fixture, 0));
+    assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_theatre_create(fixture.dome, &theatre, NULL), CUPOLA_OK);
+    cupola_spectator_outside(fixture.dome, &spectator);
+    /* To a framebuffer that is none where there is no window: an error, after which all goes on. */
+    cupola_theatre_draw(theatre, &points, &spectator, SIZE, SIZE, NULL, NULL);
+    cupola_theatre_destroy(&theatre);
+    release(&fixture);
+}
+
+static void fifty_lives_leave_nothing_behind(void **state)
+{
+    (void)state;
+    for (int cycle = 0; cycle < 10; cycle++) /* the GL's own caches */
+        whole_life(cycle);
+    int objects = live_objects();
+    long bytes = resident_bytes();
+    for (int cycle = 0; cycle < CYCLES; cycle++)
+        whole_life(cycle);
+    glFinish();
+    printf("  %d objects before, %d after; %ld KiB more\n", objects, live_objects(),
+           (resident_bytes() - bytes) / 1024);
+    assert_int_equal(live_objects(), objects);
+    /* One table and one atlas of each life would be 10 MiB. */
+    check_at_most(resident_bytes() - bytes, 4 << 20);
+}
+
+static void views_come_after_frame_begin_and_one_at_a_time(void **state)
+{
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_NONE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    unsigned int points = 0;
+    (void)state;
+    check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER, &error,
+                  "before frame_begin");
+    check_refused(cupola_gl_view_end(fixture.gl, &error), CUPOLA_ERROR_ORDER, &error, "outside");
+    int views = cupola_gl_frame_begin(fixture.gl, NULL, NULL);
+    check_at_least(views, 2);
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, views, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, -1, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, 1, NULL, NULL), CUPOLA_OK);
+    check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER, &error,
+                  "inside");
+    check_refused(cupola_gl_frame_begin(fixture.gl, NULL, &error), CUPOLA_ERROR_ORDER, &error,
+                  "inside");
+    check_refused(cupola_gl_warp(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER, &error, "open");
+    check_refused(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error,
+                  "open");
+    assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_ERROR_ORDER);
+    check_refused(cupola_gl_warp(fixture.gl, 1, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "output is 1");
+    assert_int_equal(cupola_gl_points(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    release(&fixture);
+}
+
+static void near_and_far_must_be_distances(void **state)
+{
+    static const double bad[][2] = {{-1, 10}, {5, 5}, {6, 5}, {NAN, 5}, {1, NAN}, {1, INFINITY}};
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_NONE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    (void)state;
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        const struct cupola_frame frame = {.near_distance = bad[i][0], .far_distance = bad[i][1]};
+        check_refused(cupola_gl_frame_begin(fixture.gl, &frame, &error), CUPOLA_ERROR_ARGUMENT,
+                      &error, "near");
+    }
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, NULL, NULL), CUPOLA_ERROR_ORDER);
+    check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
+    release(&fixture);
+}
+
+/* Clears each view to a colour of its own, first to last or last to first, some of them twice. */
+static float *painted_in_order(const struct fixture *fixture, bool backwards)
+{
+    int views = cupola_gl_frame_begin(fixture->gl, NULL, NULL);
+    for (int i = 0; i < 2 * views; i++) {
+        int index = backwards ? (2 * views - 1 - i) % views : i % views;
+        assert_int_equal(cupola_gl_view_begin(fixture->gl, index, NULL, NULL), CUPOLA_OK);
+        glClearColor(0.2f * (float)index, 0.5f, 0.1f, 1.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+        assert_int_equal(cupola_gl_view_end(fixture->gl, NULL), CUPOLA_OK);
+    }
+    return fixture_warp(fixture, 0);
+}
+
+static void views_come_in_any_order_and_the_warp_repeats(void **state)
+{
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_POINTS);
+    (void)state;
+    float *forwards = painted_in_order(&fixture, false), *again = fixture_warp(&fixture, 0);
+    float *backwards = painted_in_order(&fixture, true);
+    size_t bytes = (size_t)(4 * SIZE * SIZE) * sizeof *forwards;
+    assert_memory_equal(forwards, again, bytes);
+    assert_memory_equal(forwards, backwards, bytes);
+    check_near(forwards[4 * (SIZE / 2 * SIZE + SIZE / 2) + 1], 0.5, 0.003);
+    free(forwards);
+    free(again);
+    free(backwards);
+    release(&fixture);
+}
+
+static void atlas_beyond_the_largest_texture_is_refused(void **state)
+{
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 60.0, SIZE);
+    struct cupola_plan_params params = {.views = 1, .max_texture_px = 32768};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_dome *dome = NULL;
+    cupola_plan *plan = NULL;
+    cupola_gl *gl = NULL;
+    GLint largest = 0;
+    char number[16];
+    (void)state;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    params.view_size_px = largest < 16384 ? largest : 16384; /* and its guard band */
+    params.guard_px = 4;
+    if (largest > params.view_size_px)
+        skip();
+    snprintf(number, sizeof number, "%d", largest);
+    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_plan_create(dome, &params, &plan, NULL), CUPOLA_OK);
+    int objects = live_objects();
+    check_refused(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_ARGUMENT, &error, number);
+    assert_int_equal(cupola_gl_create(plan, NULL, &gl, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_null(gl);
+    assert_int_equal(live_objects(), objects);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    cupola_plan_destroy(&plan);
+    cupola_dome_destroy(&dome);
+}
+
+static void wrong_parameters_make_nothing(void **state)
+{
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_POINTS);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_gl_params params = {.format = (enum cupola_format)7};
+    cupola_gl *gl = NULL;
+    int objects = live_objects();
+    (void)state;
+    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "format is 7");
+    params = (struct cupola_gl_params){.table = (enum cupola_table)9};
+    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "9");
+    assert_int_equal(cupola_gl_create(NULL, NULL, &gl, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_create(fixture.plan, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_frame_begin(NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_view_begin(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_view_end(NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_warp(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_null(gl);
+    assert_int_equal(live_objects(), objects);
+    release(&fixture);
+}
