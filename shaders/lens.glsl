@@ -20,12 +20,23 @@ vec2 lens_table_cubic(int i, float t)
     return vec2(a.y + t * (c1 + t * (c2 + t * c3)), (c1 + t * (2.0 * c2 + t * 3.0 * c3)) / width);
 }
 
-float lens_table_radius(float angle)
+// r and dr/dangle at an angle.
+vec2 lens_table_at(float angle)
 {
     int i = 0;
     while (i + 2 < lens_knot_count && lens_knots[i + 1].x <= angle)
         i++;
-    return lens_table_cubic(i, (angle - lens_knots[i].x) / (lens_knots[i + 1].x - lens_knots[i].x)).x;
+    return lens_table_cubic(i, (angle - lens_knots[i].x) / (lens_knots[i + 1].x - lens_knots[i].x));
+}
+
+float lens_table_radius(float angle)
+{
+    return lens_table_at(angle).x;
+}
+
+float lens_table_slope(float angle)
+{
+    return lens_table_at(angle).y;
 }
 
 float lens_table_angle(float r)
@@ -78,29 +89,35 @@ float lens_polynomial_angle(float r)
 }
 #endif
 
-// sin(angle) / r and cos(angle) at an image radius of 0 to 1.
-vec2 lens_sines(float r)
+// sin(angle) / r, cos(angle) and dangle/dr at an image radius of 0 to 1.
+vec3 lens_sines(float r)
 {
+    const float least_cosine = 1e-6;
 #if LENS_MODEL == LENS_HEMISPHERIC
     float s = r * lens_scale;
-    return vec2(lens_scale, sqrt(max(1.0 - s * s, 0.0)));
+    float cosine = sqrt(max(1.0 - s * s, 0.0));
+    return vec3(lens_scale, cosine, lens_scale / max(cosine, least_cosine));
 #elif LENS_MODEL == LENS_EQUISOLID
     float half_sine = r * lens_scale;
-    return vec2(2.0 * lens_scale * sqrt(max(1.0 - half_sine * half_sine, 0.0)),
-                1.0 - 2.0 * half_sine * half_sine);
+    float half_cosine = sqrt(max(1.0 - half_sine * half_sine, 0.0));
+    return vec3(2.0 * lens_scale * half_cosine, 1.0 - 2.0 * half_sine * half_sine,
+                2.0 * lens_scale / max(half_cosine, least_cosine));
 #elif LENS_MODEL == LENS_STEREOGRAPHIC
     float half_tangent = r * lens_scale;
     float square = half_tangent * half_tangent;
-    return vec2(2.0 * lens_scale, 1.0 - square) / (1.0 + square);
+    return vec3(2.0 * lens_scale, 1.0 - square, 2.0 * lens_scale) / (1.0 + square);
 #else
 #if LENS_MODEL == LENS_POLYNOMIAL
     float angle = lens_polynomial_angle(r);
+    float slope = 1.0 / lens_polynomial_slope(angle);
 #elif LENS_MODEL == LENS_TABLE
     float angle = lens_table_angle(r);
+    float slope = 1.0 / max(lens_table_slope(angle), least_cosine);
 #else
     float angle = lens_half_fov * r;
+    float slope = lens_half_fov;
 #endif
-    return vec2(r > 1e-6 ? sin(angle) / r : angle / max(r, 1e-30), cos(angle));
+    return vec3(r > 1e-6 ? sin(angle) / r : slope, cos(angle), slope);
 #endif
 }
 

@@ -7,7 +7,7 @@ uniform vec2 circle_sign;        // -1 where the picture is flipped
 uniform mat3 aim;                // Q, lens frame to dome frame
 uniform vec3 projector_position; // L, m, dome frame
 uniform float screen_radius;     // R, m
-uniform float cap_cosine;        // below -1: no cap
+uniform float cap_cosine;        // below -1: no cap, and then CAPPED is 0
 uniform mat3 tilt;               // dome frame to the host's camera frame
 uniform vec3 eye;                // E, m, dome frame
 
@@ -21,18 +21,36 @@ vec3 circle_place(vec2 pixel)
     return r > 1.0 ? vec3(place / r, 1.0) : vec3(place, r);
 }
 
-vec3 lens_ray(vec3 place)
+// A vector that depends on a place in the image, and its derivatives per pixel.
+struct Varying {
+    vec3 at;
+    vec3 dx;
+    vec3 dy;
+};
+
+Varying lens_ray(vec3 place)
 {
-    vec2 sines = lens_sines(place.z);
-    return aim * vec3(place.xy * sines.x, -sines.y);
+    float x = place.x, y = place.y, r = place.z;
+    vec3 sines = lens_sines(r);
+    float s = sines.x, slope = sines.z;
+    float bend = r > 1e-2 ? (sines.y * slope - s) / (r * r) : 0.0;
+    vec3 dx = vec3(s + x * x * bend, x * y * bend, x * s * slope);
+    vec3 dy = vec3(x * y * bend, s + y * y * bend, y * s * slope);
+    vec2 per_pixel = circle_sign / circle_radius;
+    return Varying(aim * vec3(place.xy * s, -sines.y), aim * (dx * per_pixel.x),
+                   aim * (dy * per_pixel.y));
 }
 
-vec3 screen_point(vec3 ray)
+Varying screen_point(Varying ray)
 {
-    float along = dot(projector_position, ray);
+    float along = dot(projector_position, ray.at);
     float root = sqrt(along * along - dot(projector_position, projector_position) +
                       screen_radius * screen_radius);
-    return projector_position + (root - along) * ray;
+    float t = root - along;
+    float dt_dx = dot(projector_position, ray.dx) * (along / root - 1.0);
+    float dt_dy = dot(projector_position, ray.dy) * (along / root - 1.0);
+    return Varying(projector_position + t * ray.at, dt_dx * ray.at + t * ray.dx,
+                   dt_dy * ray.at + t * ray.dy);
 }
 
 vec3 eye_ray(vec3 point)
@@ -55,28 +73,17 @@ float edge_coverage(float distance_px, vec2 normal)
     return clamp((ramps.x - ramps.y - ramps.z) / (2.0 * a * b), 0.0, 1.0);
 }
 
-// How far inside of the cap's edge a place is lit; the cosines' difference.
-float cap_excess(vec2 place)
-{
-    vec3 point = screen_point(lens_ray(vec3(place, min(length(place), 1.0))));
-    return -point.z / screen_radius - cap_cosine;
-}
-
-// The gradient of the cap's edge by differences of an eighth of a pixel, towards the middle of the
-// image circle: beyond the rim, where places come out on it, there is nothing to take them from.
-float pixel_coverage(vec2 pixel, vec3 point)
+float pixel_coverage(vec2 pixel, Varying point)
 {
     vec2 from_center = pixel - circle_center;
     float rim = edge_coverage(circle_radius - length(from_center), from_center);
-    if (cap_cosine < -1.0)
-        return rim;
-    float excess = -point.z / screen_radius - cap_cosine;
-    vec2 place = circle_place(pixel).xy;
-    vec2 inwards = (0.125 / circle_radius) * (1.0 - 2.0 * step(0.0, place));
-    vec2 ahead = vec2(cap_excess(place + vec2(inwards.x, 0.0)),
-                      cap_excess(place + vec2(0.0, inwards.y)));
-    vec2 gradient = (ahead - excess) * 8.0;
+#if CAPPED
+    vec2 gradient = vec2(point.dx.z, point.dy.z) / -screen_radius;
+    float excess = -point.at.z / screen_radius - cap_cosine;
     return min(rim, edge_coverage(excess / max(length(gradient), 1e-12), gradient));
+#else
+    return rim;
+#endif
 }
 
 // From a direction at the lens (dome frame, any length) to image coordinates; z is the image

@@ -10,9 +10,9 @@ out vec4 entry;
 void main()
 {
     vec2 pixel = gl_FragCoord.xy;
-    vec3 point = screen_point(lens_ray(circle_place(pixel)));
+    Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
-    vec3 ray = eye_ray(point);
+    vec3 ray = eye_ray(point.at);
     float across = length(ray.xy);
 #if STAGE == STAGE_ANGLES
     float azimuth = across > 0.0 ? atan(ray.y, ray.x) : 0.0;
@@ -23,6 +23,6 @@ void main()
 #elif STAGE == STAGE_COORDINATES
     entry = vec4(atlas_place(ray), coverage, 0.0);
 #else
-    entry = vec4(point, coverage);
+    entry = vec4(point.at, coverage);
 #endif
 }

@@ -14,9 +14,9 @@ void main()
 {
     vec2 pixel = gl_FragCoord.xy - target_corner;
 #if STAGE == STAGE_NONE
-    vec3 point = screen_point(lens_ray(circle_place(pixel)));
+    Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
-    vec2 place = atlas_place(eye_ray(point));
+    vec2 place = atlas_place(eye_ray(point.at));
 #else
     vec4 entry = texelFetch(table, ivec2(pixel), 0);
 #if STAGE == STAGE_ANGLES

@@ -135,6 +135,9 @@ static int create_objects(cupola_gl *gl, struct cupola_error *error)
 int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *params, cupola_gl **gl,
                      struct cupola_error *error)
 {
+    struct cupola_error unwanted;
+    if (!error)
+        error = &unwanted; /* what is made further down answers by the error's status */
     if (!plan || !gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "gl" : "plan");
     struct cupola_gl_params wished = params ? *params : (struct cupola_gl_params){.border = {0}};

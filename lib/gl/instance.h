@@ -38,6 +38,7 @@ struct cupola_gl {
 /* An error unless a context of 3.3 or newer is current. */
 int context_check(struct cupola_error *error);
 
+/* In creation the error is never NULL. */
 int views_create(cupola_gl *gl, struct cupola_error *error);
 void views_destroy(cupola_gl *gl);
 

@@ -92,12 +92,12 @@ void program_defines(const cupola_dome *dome, int output, int view_count, int st
              "#define LENS_KNOTS_MAX %d\n#define OUTPUTS_MAX %d\n"
              "#define STAGE_POINTS %d\n#define STAGE_NONE %d\n#define STAGE_ANGLES %d\n"
              "#define STAGE_SINES %d\n#define STAGE_COORDINATES %d\n"
-             "#define LENS_MODEL %d\n#define VIEW_COUNT %d\n#define STAGE %d\n",
+             "#define LENS_MODEL %d\n#define VIEW_COUNT %d\n#define STAGE %d\n#define CAPPED %d\n",
              CUPOLA_LENS_ANGULAR, CUPOLA_LENS_HEMISPHERIC, CUPOLA_LENS_EQUISOLID,
              CUPOLA_LENS_STEREOGRAPHIC, CUPOLA_LENS_POLYNOMIAL, CUPOLA_LENS_TABLE, LENS_KNOTS_MAX,
              CUPOLA_OUTPUTS_MAX, CUPOLA_TABLE_POINTS, CUPOLA_TABLE_NONE, CUPOLA_TABLE_ANGLES,
              CUPOLA_TABLE_SINES, CUPOLA_TABLE_COORDINATES, (int)dome->projectors[output].lens.model,
-             view_count, stage);
+             view_count, stage, dome->projectors[output].capped);
 }
 
 void program_set_vector(GLuint program, const char *name, const double *values, int count)

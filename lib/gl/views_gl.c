@@ -12,7 +12,7 @@ int views_create(cupola_gl *gl, struct cupola_error *error)
     int width = gl->plan.report.atlas_width_px, height = gl->plan.report.atlas_height_px;
     gl->atlas = texture_create(formats[gl->params.format], width, height, GL_LINEAR, error);
     if (!gl->atlas)
-        return error ? (int)error->status : CUPOLA_ERROR_GL;
+        return error->status;
     glGenRenderbuffers(1, &gl->depth);
     glBindRenderbuffer(GL_RENDERBUFFER, gl->depth);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, width, height);

@@ -64,10 +64,7 @@ static GLuint warp_program_create(const cupola_gl *gl, int output, struct cupola
 
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 {
-    struct cupola_error unwanted;
     struct warp_pass *pass = &gl->passes[output];
-    if (!error)
-        error = &unwanted;
     if (gl->params.table != CUPOLA_TABLE_NONE) {
         pass->table = table_create(gl, output, gl->params.table, error);
         if (!pass->table)

@@ -17,6 +17,8 @@ static const double TOLERANCE = 2;
  */
 static const double WRONG_SHARE_MAX = 0.001;
 
+enum { TELLING_MIN = 16 }; /* tiles with edges, for a measurement */
+
 /*
  * An error of 0.1 degrees in the opening moves the rim of a picture 256 pixels wide by 0.07. A
  * texel takes the colour at its centre, so an edge lies up to half a texel off, here to one side
@@ -83,7 +85,6 @@ static bool solve(const struct sums *sums, int n, double solution[MOVES])
 static bool fit(const struct comparison *comparison, int row, int column, int width, int n,
                 struct displacement *displacement)
 {
-    const int telling_min = width * width / 4;
     int telling = 0;
     struct sums whole = {0}, unit;
     double inverse[MOVES][MOVES], *move = displacement->move_px;
@@ -99,7 +100,7 @@ static bool fit(const struct comparison *comparison, int row, int column, int wi
                 whole.matrix[a][b] += tile->matrix[a][b];
         }
     }
-    if (telling < telling_min || !solve(&whole, n, move))
+    if (telling < TELLING_MIN || !solve(&whole, n, move))
         return false;
     for (int a = 0; a < n; a++) {
         unit = whole;

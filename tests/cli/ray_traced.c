@@ -84,10 +84,59 @@ static void the_demo_draws_what_a_ray_tracer_sees(void **state)
     assert_int_equal(bad, 0);
 }
 
+struct error {
+    const char *name;
+    size_t place;        /* of the number in the theatre */
+    double by, by_radii; /* degrees, pixels; parts of the screen's radius */
+};
+
+/* The oracle itself: the same picture held against theatres that are a little wrong. */
+static void check_errors_are_caught(int number)
+{
+    static const struct error ERRORS[] = {
+        {"fov", offsetof(struct theatre, fov_deg), 0.1, 0},
+        {"yaw", offsetof(struct theatre, aim_deg[0]), 0.1, 0},
+        {"pitch", offsetof(struct theatre, aim_deg[1]), 0.1, 0},
+        {"roll", offsetof(struct theatre, aim_deg[2]), 0.1, 0},
+        {"tilt", offsetof(struct theatre, tilt_deg), -0.1, 0},
+        {"circle's centre", offsetof(struct theatre, circle_x_px), 1, 0},
+        {"circle's radius", offsetof(struct theatre, circle_radius_px), -1, 0},
+        {"viewer's x", offsetof(struct theatre, viewer_m.x), 0, 0.01},
+        {"viewer's y", offsetof(struct theatre, viewer_m.y), 0, 0.01},
+        {"viewer's z", offsetof(struct theatre, viewer_m.z), 0, -0.01},
+        {"projector's x", offsetof(struct theatre, projector_m.x), 0, -0.01},
+    };
+    unsigned char *picture = draw(number);
+
+    assert_non_null(picture);
+    for (size_t e = 0; e < sizeof ERRORS / sizeof *ERRORS; e++) {
+        struct theatre wrong = rig.theatre;
+
+        *(double *)((char *)&wrong + ERRORS[e].place) +=
+            ERRORS[e].by + ERRORS[e].by_radii * wrong.radius_m;
+        tracer_prepare(&tracer, &wrong, &world);
+        ray_compare(&comparison, &tracer, picture, false);
+        if (!ray_comparison_is_good(&comparison))
+            continue;
+        print_error("not caught: a wrong %s in cupola-demo %s\n", ERRORS[e].name, rig.command);
+        ray_comparison_print(&comparison);
+        fail();
+    }
+    stbi_image_free(picture);
+}
+
+static void an_error_of_a_tenth_of_a_degree_or_a_pixel_is_caught(void **state)
+{
+    (void)state;
+    check_errors_are_caught(1);
+    check_errors_are_caught(2);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_demo_draws_what_a_ray_tracer_sees),
+        cmocka_unit_test(an_error_of_a_tenth_of_a_degree_or_a_pixel_is_caught),
     };
     return cmocka_run_group_tests_name("ray_traced", tests, process_enter_directory,
                                        process_leave_directory);

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+static const double PI = 3.14159265358979323846;
 static const double DEGREE = 3.14159265358979323846 / 180;
 
 /*
@@ -38,6 +39,13 @@ struct vector vector_cross(struct vector a, struct vector b)
 struct vector vector_normal(struct vector a)
 {
     return vector_scaled(a, 1 / sqrt(vector_dot(a, a)));
+}
+
+static double angle_between(struct vector a, struct vector b)
+{
+    struct vector across = vector_cross(a, b);
+
+    return atan2(sqrt(vector_dot(across, across)), vector_dot(a, b));
 }
 
 struct vector vector_rotated(const struct rotation *rotation, struct vector a)
@@ -176,6 +184,21 @@ bool tracer_ray(const struct tracer *tracer, double x_px, double y_px, struct ve
     return on_screen;
 }
 
+/* A cone round the triangle, to skip it by; one of 90 degrees and more is no convex cone. */
+static void enclose(struct seen_triangle *seen, const struct vector corner[3])
+{
+    struct vector sum = {0, 0, 0};
+
+    for (int i = 0; i < 3; i++)
+        sum = vector_add(sum, vector_normal(corner[i]));
+    seen->middle = vector_normal(sum);
+    seen->angle_rad = 0;
+    for (int i = 0; i < 3; i++)
+        seen->angle_rad = fmax(seen->angle_rad, angle_between(seen->middle, corner[i]));
+    if (seen->angle_rad > 1.5)
+        seen->angle_rad = 4;
+}
+
 void tracer_prepare(struct tracer *tracer, const struct theatre *theatre,
                     const struct traced_world *world)
 {
@@ -201,6 +224,7 @@ void tracer_prepare(struct tracer *tracer, const struct theatre *theatre,
                 vector_scaled(vector_cross(corner[(i + 1) % 3], corner[(i + 2) % 3]), 1 / volume);
         seen->plane = vector_add(vector_add(seen->side[0], seen->side[1]), seen->side[2]);
         seen->colour = world->colours[world->triangles[t].colour];
+        enclose(seen, corner);
         tracer->triangle_count++;
     }
 }
@@ -243,13 +267,22 @@ static void look_round(const struct tracer *tracer, const struct vector corners[
                        struct neighbourhood *near)
 {
     const struct seen_triangle *front = NULL;
+    struct vector middle =
+        vector_add(vector_add(corners[0], corners[1]), vector_add(corners[2], corners[3]));
+    double angle_rad = 0;
     int kept = 0;
 
+    middle = vector_normal(middle);
+    for (int c = 0; c < 4; c++)
+        angle_rad = fmax(angle_rad, angle_between(middle, corners[c]));
     near->count = 0;
     for (int t = 0; t < tracer->triangle_count && near->count < NEAR_MAX; t++) {
         const struct seen_triangle *triangle = &tracer->triangles[t];
-        int met = meeting(triangle, corners);
+        int met;
 
+        if (vector_dot(triangle->middle, middle) < cos(fmin(triangle->angle_rad + angle_rad, PI)))
+            continue;
+        met = meeting(triangle, corners);
         if (met == 0)
             continue;
         near->triangles[near->count++] = triangle;

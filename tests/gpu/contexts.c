@@ -1,0 +1,169 @@
+/* Whoever has no fitting context, or has lost it, is told so; nothing aborts. */
+#include <epoxy/egl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "check.h"
+#include "context.h"
+#include "fixture.h"
+#include "rig_random.h"
+
+enum { SIZE = 64, EXIT_SKIPPED = 77 };
+
+static void check_refused(int status, int expected, const struct cupola_error *error,
+                          const char *word)
+{
+    assert_int_equal(status, expected);
+    assert_int_equal(error->status, expected);
+    if (!strstr(error->message, word))
+        fail_msg("'%s' does not say '%s'", error->message, word);
+}
+
+/* Without a context, first of all: nothing of the GL has been touched yet. */
+static void without_a_context_nothing_is_made(void **state)
+{
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_dome *dome = NULL;
+    cupola_plan *plan = NULL;
+    cupola_gl *gl = NULL;
+    cupola_theatre *theatre = NULL;
+    float pixel[4] = {0};
+    (void)state;
+    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_plan_create(dome, NULL, &plan, NULL), CUPOLA_OK);
+    check_refused(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    check_refused(cupola_theatre_create(dome, &theatre, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    check_refused(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    assert_int_equal(cupola_gl_create(plan, NULL, &gl, NULL), CUPOLA_ERROR_CONTEXT);
+    assert_null(gl);
+    assert_null(theatre);
+    cupola_gl_destroy(&gl);
+    cupola_gl_destroy(NULL);
+    cupola_theatre_destroy(&theatre);
+    cupola_theatre_destroy(NULL);
+    cupola_plan_destroy(&plan);
+    cupola_dome_destroy(&dome);
+}
+
+/* Makes a context of whatever version the driver gives and tries to use it; an exit status. */
+static int try_context(EGLenum api, EGLint renderable, const char *word)
+{
+    const EGLint config_wish[] = {EGL_RENDERABLE_TYPE, renderable, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint es3[] = {EGL_CONTEXT_CLIENT_VERSION, 3, EGL_NONE}, any[] = {EGL_NONE};
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    EGLConfig config = NULL;
+    EGLint configs = 0;
+    cupola_dome *dome = NULL;
+    cupola_theatre *theatre = NULL;
+    EGLDisplay display =
+        eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL) || !eglBindAPI(api))
+        return EXIT_SKIPPED;
+    eglChooseConfig(display, config_wish, &config, 1, &configs);
+    EGLContext context = eglCreateContext(display, configs > 0 ? config : EGL_NO_CONFIG_KHR,
+                                          EGL_NO_CONTEXT, api == EGL_OPENGL_API ? any : es3);
+    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) ||
+        (api == EGL_OPENGL_API && epoxy_gl_version() >= 33))
+        return EXIT_SKIPPED;
+    if (cupola_dome_create(&rig, &dome, NULL) < 0)
+        return EXIT_FAILURE;
+    int status = cupola_theatre_create(dome, &theatre, &error);
+    printf("  %s\n", error.message);
+    fflush(stdout);
+    cupola_dome_destroy(&dome);
+    return status == CUPOLA_ERROR_CONTEXT && strstr(error.message, word) &&
+                   strstr(error.message, "3.3") && !theatre
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
+}
+
+/* In a process of its own: a process has one GL, and the version is asked for by environment. */
+static void check_in_child(EGLenum api, EGLint renderable, const char *word)
+{
+    int outcome = 0;
+    fflush(stdout);
+    pid_t child = fork();
+    assert_int_not_equal(child, -1);
+    if (child == 0) {
+        setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
+        _exit(try_context(api, renderable, word));
+    }
+    assert_int_equal(waitpid(child, &outcome, 0), child);
+    assert_true(WIFEXITED(outcome));
+    if (WEXITSTATUS(outcome) == EXIT_SKIPPED)
+        print_message("no such context can be had here\n");
+    else
+        assert_int_equal(WEXITSTATUS(outcome), EXIT_SUCCESS);
+}
+
+static void context_that_is_too_old_is_refused_by_its_version(void **state)
+{
+    (void)state;
+    check_in_child(EGL_OPENGL_API, EGL_OPENGL_BIT, "OpenGL 2.1");
+}
+
+static void context_of_opengl_es_is_refused_by_its_version(void **state)
+{
+    (void)state;
+    check_in_child(EGL_OPENGL_ES_API, EGL_OPENGL_ES3_BIT, "OpenGL ES 3.");
+}
+
+/* A host that has lost its context, and then frees what it had. */
+static void without_a_current_context_calls_are_refused_and_memory_is_freed(void **state)
+{
+    struct fixture fixture, open;
+    struct cupola_error error = {CUPOLA_OK, ""};
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
+    struct cupola_spectator spectator;
+    cupola_theatre *theatre = NULL;
+    unsigned int points = 0;
+    float pixel[4];
+    (void)state;
+    context_open();
+    EGLDisplay display = eglGetCurrentDisplay();
+    EGLContext context = eglGetCurrentContext();
+    fixture_make(&rig, NULL, NULL, &fixture);
+    fixture_make(&rig, NULL, NULL, &open);
+    assert_int_equal(cupola_theatre_create(fixture.dome, &theatre, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, NULL), CUPOLA_OK);
+    cupola_spectator_at_eye(fixture.dome, &spectator);
+    check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
+    check_at_least(cupola_gl_frame_begin(open.gl, NULL, NULL), 1);
+    assert_int_equal(cupola_gl_view_begin(open.gl, 0, NULL, NULL), CUPOLA_OK);
+    assert_true(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
+    check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
+    assert_int_equal(cupola_gl_view_end(open.gl, &error), CUPOLA_ERROR_CONTEXT);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT);
+    assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_CONTEXT);
+    assert_int_equal(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT);
+    assert_int_equal(cupola_theatre_draw(theatre, &points, &spectator, SIZE, SIZE, NULL, &error),
+                     CUPOLA_ERROR_CONTEXT);
+    fixture_release(&open);
+    fixture_release(&fixture);
+    cupola_theatre_destroy(&theatre);
+    assert_null(theatre);
+    assert_true(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context));
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    context_close();
+}
+
+int main(void)
+{
+    /* In this order: once a context was there, a child could not have one of another kind. */
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(context_that_is_too_old_is_refused_by_its_version),
+        cmocka_unit_test(context_of_opengl_es_is_refused_by_its_version),
+        cmocka_unit_test(without_a_context_nothing_is_made),
+        cmocka_unit_test(without_a_current_context_calls_are_refused_and_memory_is_freed),
+    };
+    return cmocka_run_group_tests_name("contexts", tests, NULL, NULL);
+}

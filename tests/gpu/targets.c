@@ -1,0 +1,243 @@
+/* What is no target, image or spectator is refused, and neither pixels nor GL errors come of it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "context.h"
+#include "fixture.h"
+#include "rig_random.h"
+
+enum { SIZE = 32 };
+
+static struct fixture fixture;
+static cupola_theatre *theatre;
+static GLuint image, good_framebuffer, good_texture;
+
+static GLuint texture_of(GLenum format)
+{
+    GLuint texture = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)format, SIZE, SIZE, 0, GL_RGBA, GL_FLOAT, NULL);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    return texture;
+}
+
+static int setup(void **state)
+{
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 180.0, SIZE);
+    (void)state;
+    context_open();
+    fixture_make(&rig, NULL, NULL, &fixture);
+    if (cupola_theatre_create(fixture.dome, &theatre, NULL) < 0)
+        return -1;
+    image = texture_of(GL_RGBA8);
+    good_texture = texture_of(GL_RGBA8);
+    glGenFramebuffers(1, &good_framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, good_texture, 0);
+    glClearColor(0.2f, 0.4f, 0.6f, 0.8f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    return glGetError() != GL_NO_ERROR;
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    cupola_theatre_destroy(&theatre);
+    fixture_release(&fixture);
+    glDeleteTextures(1, &image);
+    glDeleteTextures(1, &good_texture);
+    glDeleteFramebuffers(1, &good_framebuffer);
+    context_close();
+    return 0;
+}
+
+static void check_refused(int status, int expected, const struct cupola_error *error,
+                          const char *word)
+{
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    assert_int_equal(status, expected);
+    assert_int_equal(error->status, expected);
+    if (!strstr(error->message, word))
+        fail_msg("'%s' does not say '%s'", error->message, word);
+}
+
+/* The host's own framebuffer stayed bound and as it was cleared. */
+static void check_untouched(void)
+{
+    GLint bound = 0;
+    float pixels[4 * SIZE * SIZE];
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    assert_int_equal(bound, good_framebuffer);
+    glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_FLOAT, pixels);
+    for (int i = 0; i < 4 * SIZE * SIZE; i++)
+        check_near(pixels[i], 0.2 * (i % 4 + 1), 1e-6);
+}
+
+static void check_target(GLuint framebuffer, const char *word)
+{
+    const struct cupola_target target = {.framebuffer = framebuffer};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_spectator spectator;
+    float pixels[4 * SIZE * SIZE] = {0.5f};
+    cupola_spectator_at_eye(fixture.dome, &spectator);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    check_refused(cupola_gl_warp(fixture.gl, 0, &target, &error), CUPOLA_ERROR_GL, &error, word);
+    check_refused(cupola_theatre_draw(theatre, &image, &spectator, SIZE, SIZE, &target, &error),
+                  CUPOLA_ERROR_GL, &error, word);
+    check_refused(cupola_gl_capture(&target, SIZE, SIZE, pixels, &error), CUPOLA_ERROR_GL, &error,
+                  word);
+    check_near(pixels[0], 0.5, 0.0);
+    check_untouched();
+}
+
+static void framebuffer_that_does_not_exist_is_no_target(void **state)
+{
+    GLuint only_generated = 0;
+    (void)state;
+    check_target(54321, "54321");
+    glGenFramebuffers(1, &only_generated);
+    check_target(only_generated, "framebuffer");
+    glDeleteFramebuffers(1, &only_generated);
+}
+
+static void framebuffer_without_attachments_is_no_target(void **state)
+{
+    GLuint empty = 0;
+    (void)state;
+    glGenFramebuffers(1, &empty);
+    glBindFramebuffer(GL_FRAMEBUFFER, empty);
+    check_target(empty, "not complete");
+    glDeleteFramebuffers(1, &empty);
+}
+
+static void what_cannot_be_read_is_not_captured(void **state)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    float pixels[4 * SIZE * SIZE] = {0.5f};
+    GLuint framebuffer = 0, color = 0;
+    struct cupola_target target;
+    (void)state;
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(1, &color);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, color);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, 4, GL_RGBA8, SIZE, SIZE);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    target = (struct cupola_target){.framebuffer = framebuffer};
+    check_refused(cupola_gl_capture(&target, SIZE, SIZE, pixels, &error), CUPOLA_ERROR_GL, &error,
+                  "cannot read");
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    glReadBuffer(GL_NONE);
+    target.framebuffer = good_framebuffer;
+    check_refused(cupola_gl_capture(&target, SIZE, SIZE, pixels, &error), CUPOLA_ERROR_GL, &error,
+                  "cannot read");
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    check_near(pixels[0], 0.5, 0.0);
+    check_refused(cupola_gl_capture(&target, 0, SIZE, pixels, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "0 x 32");
+    check_refused(cupola_gl_capture(&target, SIZE, 32769, pixels, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "32769");
+    check_refused(cupola_gl_capture(&target, SIZE, SIZE, NULL, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "");
+    assert_int_equal(cupola_gl_capture(&target, SIZE, SIZE, pixels, &error), CUPOLA_OK);
+    check_near(pixels[1], 0.4, 1e-6);
+    check_untouched();
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(1, &color);
+}
+
+static int draw(const GLuint *images, const struct cupola_spectator *spectator, int width,
+                int height, struct cupola_error *error)
+{
+    const struct cupola_target target = {.framebuffer = good_framebuffer};
+    return cupola_theatre_draw(theatre, images, spectator, width, height, &target, error);
+}
+
+static void what_is_no_texture_is_no_image(void **state)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_spectator spectator;
+    GLuint wrong = 54321, cube = 0, none = 0;
+    (void)state;
+    cupola_spectator_at_eye(fixture.dome, &spectator);
+    glGenTextures(1, &cube);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, cube);
+    check_refused(draw(&wrong, &spectator, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "54321");
+    check_refused(draw(&none, &spectator, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "texture 0");
+    check_refused(draw(&cube, &spectator, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "GL_TEXTURE_2D");
+    check_untouched();
+    glDeleteTextures(1, &cube);
+}
+
+static void spectators_that_cannot_be_are_refused(void **state)
+{
+    static const double fovs[] = {-0.1, 3.1416, 10, NAN, INFINITY};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_spectator good, bad;
+    cupola_theatre *no_theatre = NULL;
+    (void)state;
+    cupola_spectator_at_eye(fixture.dome, &good);
+    for (size_t i = 0; i < sizeof fovs / sizeof fovs[0]; i++) {
+        bad = good;
+        bad.fov_rad = fovs[i];
+        check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                      "field of view");
+    }
+    bad = good;
+    bad.position_m[2] = NAN;
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "position_m[2]");
+    bad = good;
+    bad.rotation[7] = INFINITY;
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "rotation[7]");
+    check_refused(draw(&image, NULL, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "spectator");
+    check_refused(draw(NULL, &good, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error, "images");
+    check_refused(draw(&image, &good, 0, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error, "0 x 32");
+    check_refused(draw(&image, &good, SIZE, 32769, &error), CUPOLA_ERROR_ARGUMENT, &error, "32769");
+    check_refused(cupola_theatre_draw(NULL, &image, &good, SIZE, SIZE, NULL, &error),
+                  CUPOLA_ERROR_ARGUMENT, &error, "theatre");
+    check_refused(cupola_theatre_create(NULL, &no_theatre, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "dome");
+    check_refused(cupola_theatre_create(fixture.dome, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "theatre");
+    check_untouched();
+}
+
+/* It lives only while it is in use, and cannot be used again. */
+static void program_that_the_host_has_deleted_is_no_error(void **state)
+{
+    const struct cupola_target target = {.framebuffer = good_framebuffer};
+    GLuint program = glCreateProgram(), shader = glCreateShader(GL_VERTEX_SHADER);
+    const char *source = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
+    (void)state;
+    glShaderSource(shader, 1, &source, NULL);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glLinkProgram(program);
+    glUseProgram(program);
+    glDeleteShader(shader);
+    glDeleteProgram(program);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(framebuffer_that_does_not_exist_is_no_target),
+        cmocka_unit_test(framebuffer_without_attachments_is_no_target),
+        cmocka_unit_test(what_cannot_be_read_is_not_captured),
+        cmocka_unit_test(what_is_no_texture_is_no_image),
+        cmocka_unit_test(spectators_that_cannot_be_are_refused),
+        cmocka_unit_test(program_that_the_host_has_deleted_is_no_error),
+    };
+    return cmocka_run_group_tests_name("targets", tests, setup, teardown);
+}
