@@ -82,10 +82,12 @@ vec4 nearest_body(vec3 from, vec3 along)
     place_ball(nearest, from, along, eye, head, vec3(0.95, 0.65, 0.30));
     place_ball(nearest, from, along, eye + 1.1 * head * gaze, 0.35 * head, vec3(0.85, 0.35, 0.2));
     for (int i = 0; i < projector_count; i++) {
-        vec3 foot = projector_positions[i], axis = projector_axes[i];
-        float rod = 0.2 * screen_radius, radius = 0.02 * screen_radius;
+        // The body stands behind the lens, so that it is seen where lens and viewer are in one place.
+        vec3 foot = projector_positions[i], axis = -projector_axes[i];
+        float rod = 0.22 * screen_radius, radius = 0.03 * screen_radius;
         vec3 rod_color = vec3(0.35, 0.65, 0.95);
-        place_ball(nearest, from, along, foot, 2.0 * radius, rod_color);
+        place_ball(nearest, from, along, foot, 1.4 * radius, rod_color);
+        place_ball(nearest, from, along, foot + rod * axis, radius, rod_color);
         float t = meet_rod(from, along, foot, axis, rod, radius);
         if (t < FAR) {
             vec3 aside = from + t * along - foot;
@@ -107,9 +109,10 @@ float shell_opacity(vec3 point)
     return line ? 0.55 : 0.12;
 }
 
-void main()
+// What the spectator sees at a place of the picture, px.
+vec3 seen_light(vec2 pixel)
 {
-    vec2 place = 2.0 * (gl_FragCoord.xy - target_corner) / target_size - 1.0;
+    vec2 place = 2.0 * pixel / target_size - 1.0;
     vec3 along = normalize(spectator_axes * vec3(place * half_opening, -1.0));
     float middle = -dot(spectator, along);
     float square = middle * middle - dot(spectator, spectator) + screen_radius * screen_radius;
@@ -128,6 +131,19 @@ void main()
     if (furniture && entry > 0.0 && on_screen(spectator + entry * along)) {
         float opacity = shell_opacity(spectator + entry * along);
         light = mix(light, first_output ? vec3(0.42, 0.45, 0.5) : vec3(0.0), opacity);
+    }
+    return light;
+}
+
+void main()
+{
+    vec2 pixel = gl_FragCoord.xy - target_corner;
+    vec3 light = vec3(0.0);
+    if (furniture) { // its edges are sharp: four places of each pixel
+        for (int i = 0; i < 4; i++)
+            light += 0.25 * seen_light(pixel + 0.5 * vec2(i & 1, i >> 1) - 0.25);
+    } else {
+        light = seen_light(pixel);
     }
     color = vec4(light, 1.0);
 }

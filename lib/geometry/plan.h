@@ -33,6 +33,7 @@ struct plan_ray {
     struct varying ray;
     double place_px[2]; /* image coordinates, drawn onto the rim where beyond it */
     bool on_screen;     /* within the screen's cap */
+    bool near_screen;   /* or no farther from it than a cell, by the slope here */
 };
 
 /* Square cells over the image of one output; a cell counts if any pixel in it is lit. */

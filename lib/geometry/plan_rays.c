@@ -30,7 +30,7 @@ static void widen_collapsed(const struct projector *projector, const double plac
 }
 
 static void trace_corner(const cupola_dome *dome, const struct projector *projector, double x_px,
-                         double y_px, struct plan_ray *corner)
+                         double y_px, double step_px, struct plan_ray *corner)
 {
     double place[2];
     struct varying lens, point;
@@ -42,8 +42,10 @@ static void trace_corner(const cupola_dome *dome, const struct projector *projec
     for (int i = 0; i < 2; i++)
         corner->place_px[i] =
             projector->center_px[i] + projector->sign[i] * projector->radius_px * place[i];
-    corner->on_screen =
-        !projector->capped || -point.at[2] >= projector->cap_cosine * projector->screen_radius_m;
+    double excess_m = -point.at[2] - projector->cap_cosine * projector->screen_radius_m;
+    double slope = fabs(point.dx[2]) + fabs(point.dy[2]);
+    corner->on_screen = !projector->capped || excess_m >= 0;
+    corner->near_screen = corner->on_screen || excess_m >= -slope * step_px;
 }
 
 /* Whether image circle and screen reach into a cell. */
@@ -56,8 +58,8 @@ static bool cell_is_lit(const struct projector *projector, const struct plan_ray
         hypot(nearest_x - projector->center_px[0], nearest_y - projector->center_px[1]);
     if (!(distance < projector->radius_px))
         return false;
-    return corners[0]->on_screen || corners[1]->on_screen || corners[2]->on_screen ||
-           corners[3]->on_screen;
+    return corners[0]->near_screen || corners[1]->near_screen || corners[2]->near_screen ||
+           corners[3]->near_screen;
 }
 
 static int gather_grid(const cupola_dome *dome, const struct projector *projector, int cells_max,
@@ -77,7 +79,7 @@ static int gather_grid(const cupola_dome *dome, const struct projector *projecto
     for (int row = 0; row <= grid->rows; row++)
         for (int column = 0; column <= grid->columns; column++)
             trace_corner(dome, projector, fmin(column * step, projector->width_px),
-                         fmin(row * step, projector->height_px),
+                         fmin(row * step, projector->height_px), step,
                          &grid->corners[row * (grid->columns + 1) + column]);
     for (int row = 0; row < grid->rows; row++)
         for (int column = 0; column < grid->columns; column++) {
@@ -134,6 +136,8 @@ static void widen_opening(const struct plan_ray *const corners[4], void *user)
     for (int i = 0; i < 4; i++) {
         const double *v = corners[i]->ray.at;
         double across[3];
+        if (!corners[i]->on_screen)
+            continue;
         cross3(rays->mean, v, across);
         double angle = atan2(length3(across), dot3(rays->mean, v));
         rays->opening_rad = fmax(rays->opening_rad, 2 * angle);

@@ -25,7 +25,7 @@ enum { TELLING_MIN = 16 }; /* tiles with edges, for a measurement */
  * and there to the other: how much of that remains on the average is what the standard error says.
  * That of a block comes from few tiles and is itself uncertain.
  */
-static const double MOVE_MAX_PX = 0.02, ERRORS_MAX = 4;
+static const double MOVE_MAX_PX = 0.01, ERRORS_MAX = 4;
 static const double BLOCK_MOVE_MAX_PX = 0.1, BLOCK_ERRORS_MAX = 6;
 
 /*

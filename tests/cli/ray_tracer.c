@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double PI = 3.14159265358979323846;
 static const double DEGREE = 3.14159265358979323846 / 180;
 
 /*
@@ -14,7 +13,7 @@ static const double DEGREE = 3.14159265358979323846 / 180;
  */
 static const double REACH_PX = 1.5;
 
-enum { FILTER_STEPS = 8, COVERAGE_STEPS = 64, NEAR_MAX = 64 };
+enum { FILTER_STEPS = 6, COVERAGE_STEPS = 64, NEAR_MAX = 64 };
 
 struct vector vector_add(struct vector a, struct vector b)
 {
@@ -41,11 +40,11 @@ struct vector vector_normal(struct vector a)
     return vector_scaled(a, 1 / sqrt(vector_dot(a, a)));
 }
 
-static double angle_between(struct vector a, struct vector b)
+static double distance(struct vector a, struct vector b)
 {
-    struct vector across = vector_cross(a, b);
+    struct vector apart = vector_add(a, vector_scaled(b, -1));
 
-    return atan2(sqrt(vector_dot(across, across)), vector_dot(a, b));
+    return sqrt(vector_dot(apart, apart));
 }
 
 struct vector vector_rotated(const struct rotation *rotation, struct vector a)
@@ -138,7 +137,7 @@ static double lens_angle(const struct theatre *theatre, double r)
         break;
     }
     wished = r * polynomial(theatre->k, h);
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 45; i++) {
         middle = (low + high) / 2;
         if (polynomial(theatre->k, middle) < wished)
             low = middle;
@@ -184,7 +183,7 @@ bool tracer_ray(const struct tracer *tracer, double x_px, double y_px, struct ve
     return on_screen;
 }
 
-/* A cone round the triangle, to skip it by; one of 90 degrees and more is no convex cone. */
+/* A cone round the triangle, to skip it by; one of 90 degrees and more would not be convex. */
 static void enclose(struct seen_triangle *seen, const struct vector corner[3])
 {
     struct vector sum = {0, 0, 0};
@@ -192,11 +191,11 @@ static void enclose(struct seen_triangle *seen, const struct vector corner[3])
     for (int i = 0; i < 3; i++)
         sum = vector_add(sum, vector_normal(corner[i]));
     seen->middle = vector_normal(sum);
-    seen->angle_rad = 0;
+    seen->reach = 0;
     for (int i = 0; i < 3; i++)
-        seen->angle_rad = fmax(seen->angle_rad, angle_between(seen->middle, corner[i]));
-    if (seen->angle_rad > 1.5)
-        seen->angle_rad = 4;
+        seen->reach = fmax(seen->reach, distance(seen->middle, vector_normal(corner[i])));
+    if (seen->reach > 1.4)
+        seen->reach = 2;
 }
 
 void tracer_prepare(struct tracer *tracer, const struct theatre *theatre,
@@ -269,18 +268,18 @@ static void look_round(const struct tracer *tracer, const struct vector corners[
     const struct seen_triangle *front = NULL;
     struct vector middle =
         vector_add(vector_add(corners[0], corners[1]), vector_add(corners[2], corners[3]));
-    double angle_rad = 0;
+    double reach = 0;
     int kept = 0;
 
     middle = vector_normal(middle);
     for (int c = 0; c < 4; c++)
-        angle_rad = fmax(angle_rad, angle_between(middle, corners[c]));
+        reach = fmax(reach, distance(middle, corners[c]));
     near->count = 0;
     for (int t = 0; t < tracer->triangle_count && near->count < NEAR_MAX; t++) {
         const struct seen_triangle *triangle = &tracer->triangles[t];
         int met;
 
-        if (vector_dot(triangle->middle, middle) < cos(fmin(triangle->angle_rad + angle_rad, PI)))
+        if (distance(triangle->middle, middle) > triangle->reach + reach)
             continue;
         met = meeting(triangle, corners);
         if (met == 0)

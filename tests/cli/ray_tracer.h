@@ -51,8 +51,8 @@ struct seen_triangle {
     struct vector side[3]; /* side[i] . direction: the factor of corner i */
     struct vector plane;   /* plane . direction: 1 / distance along the direction */
     const double *colour;
-    struct vector middle; /* all of it lies within `angle_rad` of this direction */
-    double angle_rad;
+    struct vector middle; /* unit directions to it are at most `reach` from this one */
+    double reach;
 };
 
 struct tracer {
