@@ -33,6 +33,7 @@ struct comparison {
     long edge, edge_wrong;   /* pixels with several: outside of the range of these */
     long rim, rim_wrong;     /* pixels at the border of circle or screen, or outside */
     struct sums tiles[TILES][TILES];
+    bool has_edges;            /* enough of them to measure the whole; else it is all 0 */
     struct displacement whole; /* right, up, outwards and counter-clockwise at the rim */
     struct displacement blocks[BLOCKS * BLOCKS]; /* right, up; all 0 where edges are few */
 };

@@ -44,7 +44,7 @@ static double triangle_distance(const struct vector corner[3])
     struct vector normal = vector_cross(vector_add(corner[1], vector_scaled(corner[0], -1)),
                                         vector_add(corner[2], vector_scaled(corner[0], -1)));
     struct vector foot;
-    double distance = INFINITY;
+    double distance = (double)INFINITY;
     bool over = true;
 
     if (vector_dot(normal, normal) == 0)
@@ -174,9 +174,11 @@ static void add_loose_triangle(struct traced_world *world, struct vector eye, do
     int first = world->triangle_count;
 
     middle = vector_add(eye, middle);
-    for (int i = 0; i < 3; i++)
-        corner[i] = vector_add(middle, vector_scaled(random_direction(random),
-                                                     distance * random_between(random, 0.1, 0.9)));
+    for (int i = 0; i < 3; i++) {
+        double apart = distance * random_between(random, 0.1, 0.9);
+
+        corner[i] = vector_add(middle, vector_scaled(random_direction(random), apart));
+    }
     add_triangle(world, corner[0], corner[1], corner[2], random_colour(world, random));
     keep(world, first, eye);
 }
@@ -271,6 +273,7 @@ void traced_world_write(const struct traced_world *world, const char *name, uint
     fprintf(file, "mtllib %s.mtl\n", name);
     for (int t = 0; t < world->triangle_count; t++) {
         const struct triangle *triangle = &world->triangles[t];
+        bool turned;
 
         if (random_between(random, 0, 1) < 0.04)
             fprintf(file, "%s part%d\n", random_between(random, 0, 1) < 0.5 ? "o" : "g", t);
@@ -279,8 +282,8 @@ void traced_world_write(const struct traced_world *world, const char *name, uint
                     triangle->corner[i].z);
         if (triangle->colour != colour)
             fprintf(file, "usemtl paint%d\n", colour = triangle->colour);
-        write_face(file, 3 * t + 1, random_between(random, 0, 1) < 0.5,
-                   random_between(random, 0, 1) < 0.5);
+        turned = random_between(random, 0, 1) < 0.5;
+        write_face(file, 3 * t + 1, turned, random_between(random, 0, 1) < 0.5);
     }
     assert_int_equal(fclose(file), 0);
 }

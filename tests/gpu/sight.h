@@ -102,7 +102,7 @@ static inline void turn_towards(const cupola_dome *dome, const double direction[
 static inline void wall_point(const struct sight *sight, const double direction[3], double point[3])
 {
     const struct cupola_rig *rig = cupola_dome_rig(sight->fixture.dome);
-    double eye[3], t = INFINITY;
+    double eye[3], t = HUGE_VAL;
     cupola_dome_to_camera(sight->fixture.dome, rig->eye_m, eye);
     for (int i = 0; i < 3; i++) {
         double to_wall =

@@ -11,11 +11,8 @@
 
 /* GLSL against C. llvmpipe's atan errs by 3e-6 rad, the rest is the rounding of floats. */
 static const double bar_rad = 1e-5;
-/*
- * Coverage of rim and cap: GLSL takes the gradient of the cap's edge by differences of an eighth of
- * a pixel, which differ from the derivative by the edge's curvature there.
- */
-static const double bar_coverage = 0.005;
+/* Coverage of rim and cap: distances of some 200 px in floats. */
+static const double bar_coverage = 1e-4;
 /* Texels of an atlas that is up to 2000 wide: coordinates from 0 to 1 in floats have 6e-8. */
 static const double bar_texel = 0.002;
 

@@ -177,7 +177,7 @@ static void what_is_no_texture_is_no_image(void **state)
 
 static void spectators_that_cannot_be_are_refused(void **state)
 {
-    static const double fovs[] = {-0.1, 3.1416, 10, NAN, INFINITY};
+    static const double fovs[] = {-0.1, 3.1416, 10, (double)NAN, HUGE_VAL};
     struct cupola_error error = {CUPOLA_OK, ""};
     struct cupola_spectator good, bad;
     cupola_theatre *no_theatre = NULL;
@@ -190,11 +190,11 @@ static void spectators_that_cannot_be_are_refused(void **state)
                       "field of view");
     }
     bad = good;
-    bad.position_m[2] = NAN;
+    bad.position_m[2] = (double)NAN;
     check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "position_m[2]");
     bad = good;
-    bad.rotation[7] = INFINITY;
+    bad.rotation[7] = HUGE_VAL;
     check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "rotation[7]");
     check_refused(draw(&image, NULL, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,

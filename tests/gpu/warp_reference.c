@@ -7,7 +7,7 @@
  *     texels: 0.001 texels, and so much of the noise's range;
  *   - the filter's weights: in floats for float formats, of 8 bits for RGBA8 on llvmpipe, and of 8
  *     bits for every format on most GPUs: 1/512 each way;
- *   - coverage at the cap's edge, by 0.005 (stages.c says why);
+ *   - coverage at rim and cap, by 1e-4 (stages.c);
  *   - a ray on the border of two views falls to either.
  */
 #include <stdio.h>
@@ -17,7 +17,7 @@
 #include "rig_random.h"
 #include "worse.h"
 
-static const double bar_float = 0.004, bar_bytes = 0.012, bar_edge = 0.005;
+static const double bar_float = 0.004, bar_bytes = 0.012, bar_edge = 1e-4;
 static const float border[4] = {0.1f, 0.9f, 0.3f, 0.6f};
 
 enum { RIGS = 12, FORMATS = 3 };

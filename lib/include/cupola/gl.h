@@ -19,7 +19,7 @@
  * as it found it (docs/host-contract.md has the list), except that between view_begin and view_end
  * the view's framebuffer, viewport and scissor rectangle are set for the host. OpenGL 3.3 core is
  * the floor. Object names are of type GLuint, spelled `unsigned int` so that no GL header is
- * needed.
+ * needed. Where no context is current, whatever needs one answers CUPOLA_ERROR_CONTEXT.
  */
 #ifndef CUPOLA_GL_H
 #define CUPOLA_GL_H
@@ -71,8 +71,8 @@ CUPOLA_API int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_
 
 /*
  * Gives back every GL object and sets the handle to NULL; NULL and a handle that is NULL are
- * allowed. The context in which it was made (or one that shares its objects) must be current; if
- * none is, only memory is freed.
+ * allowed. The context in which it was made must be current (one that shares its textures will not
+ * do: framebuffers and vertex arrays are not shared); if none is, only memory is freed.
  */
 CUPOLA_API void cupola_gl_destroy(cupola_gl **gl);
 

@@ -1,7 +1,7 @@
 #version 330 core
 // A room from -1 to 1 m round the host's camera: a colour for each face, squares and a round mark in
-// each face's middle with a notch towards its first axis. Edges are a texel wide, so that golden
-// pictures do not hang on the last bit of a ray.
+// each face's middle with a notch towards its first axis. Edges are some texels wide, so that golden
+// pictures do not hang on where the texels lie.
 
 uniform mat3 ray_of_place;
 uniform vec3 eye; // m
@@ -29,10 +29,10 @@ void main()
     int axis = ways.x < ways.y ? (ways.x < ways.z ? 0 : 2) : (ways.y < ways.z ? 1 : 2);
     vec3 hit = from + ways[axis] * ray;
     vec2 on_face = vec2(hit[(axis + 1) % 3], hit[(axis + 2) % 3]);
-    float width = 0.012;
+    float width = 0.03;
 
     vec2 wave = sin(on_face * 12.566371); // squares of a quarter
-    float squares = edge(wave.x * wave.y, 0.15);
+    float squares = edge(wave.x * wave.y, 0.3);
     vec3 shown = face_color(axis, ray[axis] > 0.0) * (0.6 + 0.4 * squares);
     float mark = edge(0.2 - length(on_face), width);
     float notch = edge(on_face.x, width) * edge(0.05 - abs(on_face.y), width);
