@@ -13,7 +13,8 @@ import xml.etree.ElementTree
 build, status = pathlib.Path(sys.argv[1]), int(sys.argv[2])
 passed = failed = 0
 log = build / "meson-logs" / "testlog.json"
-for line in log.read_text(encoding="utf-8").splitlines():
+lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+for line in lines:
     test = json.loads(line)
     name = test["name"].split(" / ")[-1]
     report = build / "results" / f"{name}.xml"

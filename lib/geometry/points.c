@@ -90,6 +90,8 @@ double edge_coverage(double distance_px, double normal_x, double normal_y)
         return distance_px > 0 ? 1 : 0;
     double a = fmax(fabs(normal_x), fabs(normal_y)) / length;
     double b = fmax(fmin(fabs(normal_x), fabs(normal_y)) / length, 0.01);
+    if (distance_px >= 0.5 * (a + b))
+        return 1; /* to the last bit: squares cancel below */
     double ends[4] = {0.5 * (a + b), 0.5 * (a - b), 0.5 * (b - a), -0.5 * (a + b)};
     double signs[4] = {1, -1, -1, 1};
     double area = 0;
@@ -98,6 +100,27 @@ double edge_coverage(double distance_px, double normal_x, double normal_y)
         area += signs[i] * ramp * ramp;
     }
     return fmin(fmax(area / (2 * a * b), 0), 1);
+}
+
+/*
+ * The screen's depth, -D.z / R, per pixel. Near the rim it is taken half a pixel inside: at the rim
+ * of a hemispheric lens of 180 degrees it is infinite, and a pixel there would be lit by half however
+ * far its point lies beyond the cap.
+ */
+static void depth_gradient(const struct projector *projector, double x_px, double y_px,
+                           const struct varying *point, double gradient[2])
+{
+    struct varying inside = *point, ray;
+    double place[2], most = fmax(1 - 0.5 / projector->radius_px, 0);
+    double r = fmin(circle_place(projector, x_px, y_px, place), 1);
+    if (r > most) {
+        place[0] *= most / r;
+        place[1] *= most / r;
+        lens_ray(projector, place, &ray);
+        screen_point(projector, &ray, &inside);
+    }
+    gradient[0] = -inside.dx[2] / projector->screen_radius_m;
+    gradient[1] = -inside.dy[2] / projector->screen_radius_m;
 }
 
 double pixel_coverage(const struct projector *projector, double x_px, double y_px,
@@ -112,9 +135,9 @@ double pixel_coverage(const struct projector *projector, double x_px, double y_p
         return framed * rim;
     /* Inside of the cap is where -D.z / R lies above its cosine. Where both edges coincide, as for
      * a centred projector, the pixel is cut once: the smaller part counts, not the product. */
-    double radius = projector->screen_radius_m;
-    double gradient[2] = {-point->dx[2] / radius, -point->dy[2] / radius};
-    double excess = -point->at[2] / radius - projector->cap_cosine;
+    double gradient[2];
+    depth_gradient(projector, x_px, y_px, point, gradient);
+    double excess = -point->at[2] / projector->screen_radius_m - projector->cap_cosine;
     double steepness = hypot(gradient[0], gradient[1]);
     double distance = excess / fmax(steepness, 1e-12);
     return framed * fmin(rim, edge_coverage(distance, gradient[0], gradient[1]));

@@ -119,8 +119,10 @@ static void bindings_create(void)
                      texels);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     }
-    for (int i = 0; i < SNAPSHOT_UNITS; i++)
-        glSamplerParameteri(hostile_samplers[i], GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    for (int i = 0; i < SNAPSHOT_UNITS; i++) {
+        glSamplerParameteri(hostile_samplers[i], GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+        glSamplerParameteri(hostile_samplers[i], GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
     glGenFramebuffers(2, hostile_framebuffers);
     for (int i = 0; i < 2; i++) {
         glBindFramebuffer(GL_FRAMEBUFFER, hostile_framebuffers[i]);

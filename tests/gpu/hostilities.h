@@ -207,7 +207,7 @@ static void set_textures(void)
     }
 }
 
-/* Filters by mipmaps that the textures do not have: what is sampled by these is black. */
+/* By mipmaps where there are none: black; and without interpolation. */
 static void set_samplers(void)
 {
     for (GLuint unit = 0; unit < SNAPSHOT_UNITS; unit++)

@@ -215,6 +215,7 @@ static void spectators_that_cannot_be_are_refused(void **state)
 static void program_that_the_host_has_deleted_is_no_error(void **state)
 {
     const struct cupola_target target = {.framebuffer = good_framebuffer};
+    GLint in_use = -1;
     GLuint program = glCreateProgram(), shader = glCreateShader(GL_VERTEX_SHADER);
     const char *source = "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n";
     (void)state;
@@ -227,6 +228,8 @@ static void program_that_the_host_has_deleted_is_no_error(void **state)
     glDeleteProgram(program);
     assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
     assert_int_equal(glGetError(), GL_NO_ERROR);
+    glGetIntegerv(GL_CURRENT_PROGRAM, &in_use);
+    assert_int_equal(in_use, 0);
 }
 
 int main(void)
