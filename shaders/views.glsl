@@ -1,5 +1,5 @@
-// Which view a ray falls to and where it meets it; lib/geometry/views.c says the same under the same
-// names. VIEW_COUNT is set by the program that includes this.
+// Which view a ray falls to and where it meets it; lib/geometry/views.c says the same under the
+// same names. VIEW_COUNT is set by the program that includes this.
 
 uniform vec3 view_selector[VIEW_COUNT];
 uniform mat3 view_rotation[VIEW_COUNT]; // host's camera frame to view frame

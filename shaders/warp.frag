@@ -1,5 +1,5 @@
-// The warp: per output pixel, finds the viewer's ray, the view that it falls to and the texel that it
-// meets. STAGE says how much of that stands in a table.
+// The warp: per output pixel, finds the viewer's ray, the view that it falls to and the texel that
+// it meets. STAGE says how much of that stands in a table.
 
 uniform vec2 target_corner; // of the output's image in the target, px
 uniform vec4 border;        // of pixels that are not lit

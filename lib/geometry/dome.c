@@ -36,19 +36,21 @@ void cupola_dome_destroy(cupola_dome **dome)
 
 const struct cupola_rig *cupola_dome_rig(const cupola_dome *dome)
 {
-    return &dome->rig;
+    return dome ? &dome->rig : NULL;
 }
 
 void cupola_dome_to_camera(const cupola_dome *dome, const double dome_vector[3],
                            double camera_vector[3])
 {
-    transform3(dome->tilt, dome_vector, camera_vector);
+    if (dome && dome_vector && camera_vector)
+        transform3(dome->tilt, dome_vector, camera_vector);
 }
 
 void cupola_dome_from_camera(const cupola_dome *dome, const double camera_vector[3],
                              double dome_vector[3])
 {
-    transform3_back(dome->tilt, camera_vector, dome_vector);
+    if (dome && camera_vector && dome_vector)
+        transform3_back(dome->tilt, camera_vector, dome_vector);
 }
 
 void eye_ray(const cupola_dome *dome, const double eye_m[3], const struct varying *point,

@@ -46,11 +46,11 @@ static double polynomial_least_slope_at(const double k[4], double h)
     double candidates[4] = {0, h, 0, 0};
     double a = 21 * k[3], b = 10 * k[2], c = 3 * k[1];
     double discriminant = b * b - 4 * a * c;
-    if (a == 0 && b != 0) {
-        candidates[2] = sqrt(fmax(-c / b, 0));
-    } else if (a != 0 && discriminant >= 0) {
-        candidates[2] = sqrt(fmax((-b - sqrt(discriminant)) / (2 * a), 0));
-        candidates[3] = sqrt(fmax((-b + sqrt(discriminant)) / (2 * a), 0));
+    if (discriminant >= 0) {
+        /* The form of the solution in which nothing cancels, however small a is. */
+        double q = -0.5 * (b + copysign(sqrt(discriminant), b));
+        candidates[2] = a != 0 ? sqrt(fmax(q / a, 0)) : 0;
+        candidates[3] = q != 0 ? sqrt(fmax(c / q, 0)) : 0;
     }
     double least_at = 0;
     for (int i = 0; i < 4; i++)

@@ -261,26 +261,28 @@ void cupola_plan_destroy(cupola_plan **plan)
 
 int cupola_plan_view_count(const cupola_plan *plan)
 {
-    return plan->view_count;
+    return plan ? plan->view_count : 0;
 }
 
 const struct cupola_view *cupola_plan_view(const cupola_plan *plan, int index)
 {
-    return index >= 0 && index < plan->view_count ? &plan->views[index] : NULL;
+    return plan && index >= 0 && index < plan->view_count ? &plan->views[index] : NULL;
 }
 
 const cupola_dome *cupola_plan_dome(const cupola_plan *plan)
 {
-    return &plan->dome;
+    return plan ? &plan->dome : NULL;
 }
 
 const struct cupola_plan_report *cupola_plan_report(const cupola_plan *plan)
 {
-    return &plan->report;
+    return plan ? &plan->report : NULL;
 }
 
 int cupola_plan_select(const cupola_plan *plan, const double direction[3])
 {
+    if (!plan || !direction)
+        return CUPOLA_ERROR_ARGUMENT;
     return view_select(plan->views, plan->view_count, direction);
 }
 
@@ -288,7 +290,7 @@ int cupola_plan_texel(const cupola_plan *plan, int index, const double direction
                       double texel[2])
 {
     double base[2];
-    if (!plan || index < 0 || index >= plan->view_count)
+    if (!plan || !direction || !texel || index < 0 || index >= plan->view_count)
         return CUPOLA_ERROR_ARGUMENT;
     if (!view_hit(&plan->views[index], direction, base))
         return 0;

@@ -28,17 +28,23 @@ struct cupola_plan {
     struct cupola_plan_report report;
 };
 
-/* A ray at a corner of the grid: D - E in the host's camera frame, with its change per pixel. */
+/*
+ * A corner of the grid. Corners beyond the rim are drawn onto it. Beyond the screen's cap there is
+ * the edge itself, where the lit part ends, and the farthest place whose pixel it may still cut:
+ * that pixel is sampled at its middle.
+ */
 struct plan_ray {
-    struct varying ray;
-    double place_px[2]; /* image coordinates, drawn onto the rim where beyond it */
-    bool on_screen;     /* within the screen's cap */
+    struct varying ray; /* D - E in the host's camera frame, to be sampled; changes per pixel */
+    double seen[3];     /* the same, drawn onto the edge */
+    double place_px[2]; /* image coordinates of that */
+    bool on_screen;     /* within the cap or drawn onto its edge */
     bool near_screen;   /* or no farther from it than a cell, by the slope here */
 };
 
-/* Square cells over the image of one output; a cell counts if any pixel in it is lit. */
+/* Square cells over the lit part of an output's image; a cell counts if any of it is lit. */
 struct plan_grid {
     int columns, rows; /* of cells; corners are one more each way */
+    double sense;      /* 1 if the eye sees the image's sense of rotation, -1 if it is mirrored */
     struct plan_ray *corners;
     unsigned char *lit;   /* of each cell */
     unsigned char *views; /* of each corner: bit v if it counts for view v of the fit under way */
@@ -48,17 +54,22 @@ struct plan_rays {
     int count;
     struct plan_grid grids[CUPOLA_OUTPUTS_MAX];
     double mean[3];     /* mean seen direction, unit length, host's camera frame */
-    double opening_rad; /* the largest angle of a ray to it, twice */
+    double solid_angle; /* of all cells, sr; overlapping outputs count twice */
+    double opening_rad; /* the largest angle of a ray to the mean direction, twice */
     double pixels;      /* lit pixels, partial ones in part */
 };
 
-/* With at most `cells_max` cells each way; one pixel to a cell where that many suffice. */
+/*
+ * With at most `cells_max` cells each way: cells of whole pixels where there are more pixels than
+ * that, of parts of a pixel where there are very few.
+ */
 int plan_rays_gather(const cupola_dome *dome, int cells_max, struct plan_rays *rays,
                      struct cupola_error *error);
 void plan_rays_release(struct plan_rays *rays);
 
 /* Calls a function for every lit cell, with its corners counter-clockwise from the lower left. */
-typedef void plan_cell_visitor(const struct plan_ray *const corners[4], void *user);
+typedef void plan_cell_visitor(const struct plan_grid *grid,
+                               const struct plan_ray *const corners[4], void *user);
 void plan_rays_visit(const struct plan_rays *rays, plan_cell_visitor *visit, void *user);
 
 /* The corners of cell (column, row), counter-clockwise from the lower left. */

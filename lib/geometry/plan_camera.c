@@ -71,9 +71,11 @@ int cupola_plan_camera(const cupola_plan *plan, int index, double near_distance,
                        double far_distance, struct cupola_camera *camera,
                        struct cupola_error *error)
 {
-    if (!plan || !camera || index < 0 || index >= plan->view_count)
+    if (!plan || !camera)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "camera" : "plan");
+    if (index < 0 || index >= plan->view_count)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "view is %d; allowed: 0 to %d", index,
-                         plan ? plan->view_count - 1 : 0);
+                         plan->view_count - 1);
     if (!(near_distance > 0 && near_distance < far_distance && isfinite(far_distance)))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "near and far are %g and %g; allowed: 0 < near < far, both finite",

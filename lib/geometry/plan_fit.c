@@ -37,7 +37,7 @@ static double base_area(const struct cupola_view *view, const struct plan_ray *c
     double base[4][2], twice = 0;
     int on_screen = 0;
     for (int i = 0; i < 4; i++) {
-        if (!view_hit(view, corners[i]->ray.at, base[i]))
+        if (!view_hit(view, corners[i]->seen, base[i]))
             return 0;
         on_screen += corners[i]->on_screen;
     }
@@ -45,7 +45,7 @@ static double base_area(const struct cupola_view *view, const struct plan_ray *c
         const double *a = base[i], *b = base[(i + 1) % 4];
         twice += a[0] * b[1] - a[1] * b[0];
     }
-    return 0.5 * fabs(twice) * on_screen / 4;
+    return 0.5 * twice * on_screen / 4;
 }
 
 /* Tells which views the cells of a grid fall to. */
@@ -65,12 +65,13 @@ static void assign_cells(struct plan_grid *grid, const struct cupola_view *views
             int own = view_select(views, count, middle);
             unsigned met = 1u << own;
             fit->views[own].cells++;
-            fit->views[own].area += base_area(&views[own], corners);
+            fit->views[own].area += grid->sense * base_area(&views[own], corners);
             for (int i = 0; i < 4; i++) {
                 int v = view_select(views, count, corners[i]->ray.at);
                 met |= 1u << v;
-                fit->views[v].farthest_rad =
-                    fmax(fit->views[v].farthest_rad, angle_to(&views[v], corners[i]->ray.at));
+                if (corners[i]->on_screen)
+                    fit->views[v].farthest_rad =
+                        fmax(fit->views[v].farthest_rad, angle_to(&views[v], corners[i]->seen));
             }
             for (int i = 0; i < 4; i++)
                 grid->views[corners[i] - grid->corners] |= (unsigned char)met;

@@ -85,12 +85,16 @@ struct extent {
     double bounds[4];
 };
 
-static void extend(const struct plan_ray *const corners[4], void *user)
+static void extend(const struct plan_grid *grid, const struct plan_ray *const corners[4],
+                   void *user)
 {
+    (void)grid;
     struct extent *extent = user;
     for (int i = 0; i < 4; i++) {
         double q[3];
-        transform3(extent->rotation, corners[i]->ray.at, q);
+        if (!corners[i]->on_screen)
+            continue;
+        transform3(extent->rotation, corners[i]->seen, q);
         for (int axis = 0; axis < 2; axis++) {
             double *bounds = extent->bounds + 2 * axis;
             bounds[0] = fmin(bounds[0], q[axis] / -q[2]);

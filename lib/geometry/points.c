@@ -104,8 +104,8 @@ double edge_coverage(double distance_px, double normal_x, double normal_y)
 
 /*
  * The screen's depth, -D.z / R, per pixel. Near the rim it is taken half a pixel inside: at the rim
- * of a hemispheric lens of 180 degrees it is infinite, and a pixel there would be lit by half however
- * far its point lies beyond the cap.
+ * of a hemispheric lens of 180 degrees it is infinite, and a pixel there would be lit by half
+ * however far its point lies beyond the cap.
  */
 static void depth_gradient(const struct projector *projector, double x_px, double y_px,
                            const struct varying *point, double gradient[2])

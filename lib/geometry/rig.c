@@ -12,6 +12,7 @@ enum { SIZE_DEFAULT_PX = 1024, SIZE_MAX_PX = 32768 };
 
 static const double radius_max_m = 1000;
 static const double circle_max_px = 1e6;
+static const double units_max = 1e9;
 
 static int check_size(const char *name, int size_px, struct cupola_error *error)
 {
@@ -129,10 +130,10 @@ static int complete_theatre(struct cupola_rig *rig, struct cupola_error *error)
                          "screen's cap is %g rad (%g degrees); allowed: above 0 and up to %g rad "
                          "(180 degrees)",
                          RAD_AND_DEG(rig->screen.cap_rad), pi);
-    if (!(rig->units_per_metre > 0 && isfinite(rig->units_per_metre)))
+    if (!(rig->units_per_metre > 0 && rig->units_per_metre <= units_max))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "scene units per metre are %g; allowed: finite, above 0",
-                         rig->units_per_metre);
+                         "scene units per metre are %g; allowed: above 0 and up to %g",
+                         rig->units_per_metre, units_max);
     if (rig->output_count < 1 || rig->output_count > CUPOLA_OUTPUTS_MAX)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "number of outputs is %d; allowed: 1 to %d",
                          rig->output_count, CUPOLA_OUTPUTS_MAX);
@@ -166,7 +167,12 @@ int cupola_output_resize(struct cupola_output *output, int width_px, int height_
     if ((status = check_size("width", width_px, error)) != CUPOLA_OK ||
         (status = check_size("height", height_px, error)) != CUPOLA_OK)
         return status;
-    fill_in_size(output);
+    struct cupola_output known = *output;
+    fill_in_size(&known);
+    if ((status = check_size("width so far", known.width_px, error)) != CUPOLA_OK ||
+        (status = check_size("height so far", known.height_px, error)) != CUPOLA_OK)
+        return status;
+    *output = known;
     double scale = fmin((double)width_px / output->width_px, (double)height_px / output->height_px);
     struct cupola_circle *circle = &output->circle;
     circle->center_x_px = 0.5 * width_px + scale * (circle->center_x_px - 0.5 * output->width_px);

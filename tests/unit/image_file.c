@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 
 #include "check.h"
 #include "cupola/image_file.h"
@@ -82,6 +84,89 @@ static void a_png_clamps_and_rounds(void **state)
     assert_non_null(bytes);
     assert_memory_equal(bytes, expected, sizeof expected);
     stbi_image_free(bytes);
+}
+
+/* Compressed at its best, at its worst and between: each must fit into what is set aside for it. */
+static void a_png_of_any_content_is_written(void **state)
+{
+    (void)state;
+    for (int content = 0; content < 3; content++)
+        for (int trial = 0; trial < 8; trial++) {
+            uint64_t seed = (uint64_t)(100 * content + trial);
+            int width = 1 << (int)random_between(&seed, 0, 11);
+            int height = (1 << 18) / width / (trial + 1) + 1;
+            struct cupola_error error = {0};
+            float *rgba = random_image(width, height, seed);
+            for (int i = 0; i < 4 * width * height; i++)
+                rgba[i] = content == 0 ? 0.5f : content == 1 ? rgba[i] : roundf(rgba[i]);
+            if (cupola_png_write(in_folder("any.png"), rgba, width, height, &error) != CUPOLA_OK)
+                fail_msg("%d x %d: %s", width, height, error.message);
+            free(rgba);
+        }
+}
+
+/* AddressSanitizer itself needs more than any limit. */
+#if defined(__SANITIZE_ADDRESS__)
+enum { SANITIZED = 1 };
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+enum { SANITIZED = 1 };
+#else
+enum { SANITIZED = 0 };
+#endif
+#else
+enum { SANITIZED = 0 };
+#endif
+
+static rlim_t address_space(void)
+{
+    unsigned long pages = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (!file || fscanf(file, "%lu", &pages) != 1)
+        pages = 0;
+    if (file)
+        fclose(file);
+    return (rlim_t)pages * (rlim_t)sysconf(_SC_PAGESIZE);
+}
+
+/* In a child that gets so much memory and no more. */
+static int status_with_memory(const float *rgba, int side, rlim_t bytes)
+{
+    int outcome = 0;
+    fflush(stdout);
+    pid_t child = fork();
+    assert_int_not_equal(child, -1);
+    if (child == 0) {
+        const struct rlimit limit = {address_space() + bytes, address_space() + bytes};
+        if (setrlimit(RLIMIT_AS, &limit) != 0)
+            _exit(1);
+        _exit(-cupola_png_write(in_folder("little.png"), rgba, side, side, NULL));
+    }
+    assert_int_equal(waitpid(child, &outcome, 0), child);
+    if (!WIFEXITED(outcome))
+        fail_msg("with %lu KiB the process was ended", (unsigned long)bytes / 1024);
+    return -WEXITSTATUS(outcome);
+}
+
+static void too_little_memory_for_a_png_is_an_error(void **state)
+{
+    enum { SIDE = 300, STEP = 1 << 18 };
+    int written = 0, refused = 0;
+    (void)state;
+    if (SANITIZED || address_space() == 0)
+        skip();
+    float *rgba = random_image(SIDE, SIDE, 3);
+    for (rlim_t bytes = 0; bytes < 64 * STEP && written < 4; bytes += STEP) {
+        int entries = entries_in_folder();
+        int status = status_with_memory(rgba, SIDE, bytes);
+        written += status == CUPOLA_OK;
+        refused += status == CUPOLA_ERROR_MEMORY;
+        assert_true(status == CUPOLA_OK || status == CUPOLA_ERROR_MEMORY);
+        assert_int_equal(entries_in_folder(), entries + (status == CUPOLA_OK && written == 1));
+    }
+    assert_int_equal(written, 4);
+    check_at_least(refused, 4);
+    free(rgba);
 }
 
 static void the_same_picture_gives_the_same_png(void **state)
@@ -251,6 +336,8 @@ int main(void)
     const struct CMUnitTest image_file[] = {
         cmocka_unit_test(a_png_has_the_top_row_first),
         cmocka_unit_test(a_png_clamps_and_rounds),
+        cmocka_unit_test(a_png_of_any_content_is_written),
+        cmocka_unit_test(too_little_memory_for_a_png_is_an_error),
         cmocka_unit_test(the_same_picture_gives_the_same_png),
         cmocka_unit_test(a_pfm_comes_back_bit_for_bit),
         cmocka_unit_test(both_byte_orders_and_grey_are_read),

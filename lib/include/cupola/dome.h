@@ -40,7 +40,12 @@ struct cupola_ray {
 CUPOLA_API int cupola_dome_create(const struct cupola_rig *rig, cupola_dome **dome,
                                   struct cupola_error *error);
 
-/* Destroys a dome and sets the handle to NULL; NULL and a handle that is NULL are allowed. */
+/*
+ * Destroys a dome and sets the handle to NULL; NULL and a handle that is NULL are allowed.
+ *
+ * thread   any, but no other may use the dome any more
+ * since    0.1
+ */
 CUPOLA_API void cupola_dome_destroy(cupola_dome **dome);
 
 /*

@@ -2,7 +2,10 @@
  * How a call says that it failed.
  *
  * Every call that can fail returns 0 or a positive number on success and a negative
- * `enum cupola_status` on failure, and a call that failed has changed nothing. Where more can be
+ * `enum cupola_status` on failure, and a call that failed has changed nothing. NULL in place of a
+ * handle or of a pointer that is needed is such a failure: calls that return a number return
+ * CUPOLA_ERROR_ARGUMENT, calls that return a pointer return NULL, calls that count return 0, and
+ * calls that return nothing do nothing. Where more can be
  * said, the call takes a `struct cupola_error` last; NULL means that the caller does not want it.
  * The message is one sentence in English without a final newline; it names the thing, its value
  * and what is allowed.

@@ -92,14 +92,23 @@ struct cupola_plan_report {
  * params   NULL: all zero
  * plan     out: to be given to cupola_plan_destroy; untouched on failure
  * error    may be NULL
- * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT for a parameter outside of its range or an atlas that
- *          would be too large; CUPOLA_ERROR_LAYOUT where the layout cannot reach every ray, with
- * the one that can; CUPOLA_ERROR_MEMORY thread   any since    0.1
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT for a parameter outside of its range, a rig none of whose pixels
+ *          lights the screen, or an atlas that would be too large
+ *          CUPOLA_ERROR_LAYOUT where the layout cannot reach every ray, with the one that can
+ *          CUPOLA_ERROR_MEMORY
+ * thread   any
+ * since    0.1
  */
 CUPOLA_API int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params *params,
                                   cupola_plan **plan, struct cupola_error *error);
 
-/* Destroys a plan and sets the handle to NULL; NULL and a handle that is NULL are allowed. */
+/*
+ * Destroys a plan and sets the handle to NULL; NULL and a handle that is NULL are allowed.
+ *
+ * thread   any, but no other may use the plan any more
+ * since    0.1
+ */
 CUPOLA_API void cupola_plan_destroy(cupola_plan **plan);
 
 /*

@@ -31,7 +31,8 @@ struct cupola_screen {
 struct cupola_circle {
     double center_x_px;
     double center_y_px;
-    double radius_px; /* 0: the largest circle that fits, in the middle; the centre is ignored */
+    double radius_px; /* 0: the largest circle that fits, in the middle; the centre is ignored.
+                       * Else above 0 and up to 1e6; the circle must meet the frame buffer. */
 };
 
 /*
@@ -67,7 +68,7 @@ struct cupola_rig {
     struct cupola_screen screen;
     double eye_m[3];        /* the viewer's eye, dome frame; inside the screen sphere */
     double tilt_rad;        /* -pi to pi; 0: axis along the line of sight; pi/2: a planetarium */
-    double units_per_metre; /* scene units in one metre, above 0; 0: 1 */
+    double units_per_metre; /* scene units in one metre, above 0 and up to 1e9; 0: 1 */
     int output_count;       /* 1 to CUPOLA_OUTPUTS_MAX; 0: 1 */
     struct cupola_output outputs[CUPOLA_OUTPUTS_MAX];
 };
@@ -79,8 +80,8 @@ struct cupola_rig {
  *                    degrees are lit; R = 0.75 m and cap 90 degrees. The maker published image size
  *                    and opening; that projector and viewer are at the centre is assumed.
  *   domemaster       1024 x 1024, full circle, angular 180 degrees, tilt 90 degrees
- *   truncated-16x10  1920 x 1200, angular 180 degrees, circle (960, 600, 960): the projector's
- * width is the circle's, top and bottom are cut off
+ *   truncated-16x10  1920 x 1200, angular 180 degrees, circle (960, 600, 960): as wide as the
+ *                    projector's image, cut off at top and bottom
  *
  * rig      out: complete, defaults filled in
  * error    may be NULL

@@ -31,7 +31,10 @@ CUPOLA_API int cupola_rig_read(const char *path, const struct cupola_rig *base,
  * The same from text in memory.
  *
  * text     with a final 0
- * name     stands for the file's name in messages
+ * name     stands for the file's name in messages; NULL: "rig"
+ * base, rig, error, returns as for cupola_rig_read
+ * thread   any
+ * since    0.1
  */
 CUPOLA_API int cupola_rig_parse(const char *text, const char *name, const struct cupola_rig *base,
                                 struct cupola_rig *rig, struct cupola_error *error);
