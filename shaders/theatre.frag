@@ -1,5 +1,6 @@
-// The simulated theatre, by casting a ray per pixel: the light of one output on the screen, and with
-// `furniture` the screen's outside, the projectors and the viewer. Outputs after the first are added.
+// The simulated theatre, by casting a ray per pixel: the light of one output on the screen, and
+// with `furniture` the screen's outside, the projectors and the viewer. Outputs after the first are
+// added.
 
 uniform vec2 target_corner;  // px
 uniform vec2 target_size;    // px
@@ -82,7 +83,7 @@ vec4 nearest_body(vec3 from, vec3 along)
     place_ball(nearest, from, along, eye, head, vec3(0.95, 0.65, 0.30));
     place_ball(nearest, from, along, eye + 1.1 * head * gaze, 0.35 * head, vec3(0.85, 0.35, 0.2));
     for (int i = 0; i < projector_count; i++) {
-        // The body stands behind the lens, so that it is seen where lens and viewer are in one place.
+        // The body stands behind the lens, and is seen where lens and viewer are in one place.
         vec3 foot = projector_positions[i], axis = -projector_axes[i];
         float rod = 0.22 * screen_radius, radius = 0.03 * screen_radius;
         vec3 rod_color = vec3(0.35, 0.65, 0.95);
