@@ -69,6 +69,9 @@ void host_features_find(struct host_features *features)
     features->clip_control = has(version, 45, "GL_ARB_clip_control");
     features->blend_per_buffer = has(version, 40, "GL_ARB_draw_buffers_blend");
     features->transform_feedback = has(version, 40, "GL_ARB_transform_feedback2");
+    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &features->draw_buffers);
+    if (features->draw_buffers > HOST_DRAW_BUFFERS_MAX)
+        features->draw_buffers = HOST_DRAW_BUFFERS_MAX;
     for (int i = 0; i < CAPABILITY_COUNT; i++)
         features->capabilities[i] =
             has(version, capabilities[i].version, capabilities[i].extension);
@@ -166,6 +169,16 @@ static void pause_feedback(struct host_state *state)
         glPauseTransformFeedback();
 }
 
+/* Our shaders have one output: what they would leave in further draw buffers is undefined. */
+static void save_color_masks(struct host_state *state)
+{
+    for (int i = 0; i < state->features->draw_buffers; i++) {
+        GLboolean written = i == 0;
+        glGetBooleani_v(GL_COLOR_WRITEMASK, (GLuint)i, state->color_masks[i]);
+        glColorMaski((GLuint)i, written, written, written, written);
+    }
+}
+
 static void save_fixed_function(struct host_state *state)
 {
     for (int i = 0; i < CAPABILITY_COUNT; i++) {
@@ -180,8 +193,7 @@ static void save_fixed_function(struct host_state *state)
         glGetIntegerv(blend_equations[i], &state->blend_equation[i]);
     for (int i = 0; i < 4; i++)
         glGetIntegerv(blend_factors[i], &state->blend_factors[i]);
-    glGetBooleani_v(GL_COLOR_WRITEMASK, 0, state->color_mask);
-    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    save_color_masks(state);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
     glDepthMask(GL_TRUE);
     glGetIntegerv(GL_POLYGON_MODE, state->polygon_mode);
@@ -242,8 +254,10 @@ static void restore_fixed_function(const struct host_state *state)
     else
         glDisablei(GL_BLEND, 0);
     set_blending(state->features, state->blend_equation, state->blend_factors);
-    glColorMaski(0, state->color_mask[0], state->color_mask[1], state->color_mask[2],
-                 state->color_mask[3]);
+    for (int i = 0; i < state->features->draw_buffers; i++) {
+        const GLboolean *mask = state->color_masks[i];
+        glColorMaski((GLuint)i, mask[0], mask[1], mask[2], mask[3]);
+    }
     glDepthMask(state->depth_mask);
     glPolygonMode(GL_FRONT_AND_BACK, (GLenum)state->polygon_mode[0]);
     if (state->features->clip_control)

@@ -12,6 +12,7 @@ enum {
     HOST_CAPABILITIES_MAX = 32,
     HOST_TEXTURE_UNITS = 2,
     HOST_PIXEL_STORES = 10,
+    HOST_DRAW_BUFFERS_MAX = 16, /* as many as the GL has names for */
 };
 
 /* What a context has beyond OpenGL 3.3, by its version or by an extension. */
@@ -20,6 +21,7 @@ struct host_features {
     bool clip_control;       /* origin and depth range of clip space */
     bool blend_per_buffer;   /* blend functions for each draw buffer */
     bool transform_feedback; /* that can be paused */
+    int draw_buffers;
     bool capabilities[HOST_CAPABILITIES_MAX];
 };
 
@@ -39,7 +41,7 @@ struct host_state {
     GLboolean capabilities[HOST_CAPABILITIES_MAX];
     GLboolean blend;
     GLint blend_equation[2], blend_factors[4];
-    GLboolean color_mask[4];
+    GLboolean color_masks[HOST_DRAW_BUFFERS_MAX][4];
     GLboolean depth_mask;
     GLint polygon_mode[2];
     GLint clip_origin, clip_depth;
@@ -64,8 +66,8 @@ void host_target_restore(const struct host_target *target, const struct host_fea
 
 /*
  * Saves all of it and sets what a full-screen pass, a clear or a transfer of pixels needs: no test,
- * no blending, all channels written, textures read without sampler objects, packed pixels. The
- * features must live until host_state_restore.
+ * no blending, all channels of draw buffer 0 written and none of the others, textures read without
+ * sampler objects, packed pixels. The features must live until host_state_restore.
  */
 void host_state_save(struct host_state *state, const struct host_features *features);
 void host_state_restore(const struct host_state *state);

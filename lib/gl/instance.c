@@ -13,7 +13,7 @@ static const char *const table_names[] = {
     [CUPOLA_TABLE_COORDINATES] = "coordinates",
 };
 
-enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0] };
+enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0], ERRORS_PENDING_MAX = 32 };
 
 const char *cupola_table_name(int table)
 {
@@ -42,6 +42,13 @@ int context_check(struct cupola_error *error)
     return CUPOLA_OK;
 }
 
+void gl_errors_drop(void)
+{
+    /* A GL keeps a handful at most, but one that has lost its context answers with one for ever. */
+    for (int i = 0; i < ERRORS_PENDING_MAX && glGetError() != GL_NO_ERROR; i++)
+        ;
+}
+
 GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
                       struct cupola_error *error)
 {
@@ -54,8 +61,7 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
                   width_px, height_px, largest);
         return 0;
     }
-    while (glGetError() != GL_NO_ERROR)
-        ;
+    gl_errors_drop();
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)filter);
@@ -83,6 +89,38 @@ int target_bind(GLuint framebuffer, struct cupola_error *error)
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
                          framebuffer);
+    return CUPOLA_OK;
+}
+
+/* The name of the texture that is the bound framebuffer's colour of an index; 0 if none is. */
+static GLuint color_texture(int index)
+{
+    GLenum place = (GLenum)(GL_COLOR_ATTACHMENT0 + index);
+    GLint type = GL_NONE, name = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, place,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type == GL_TEXTURE)
+        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, place,
+                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    return (GLuint)name;
+}
+
+int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
+                         struct cupola_error *error)
+{
+    GLint colors = 0;
+    if (!framebuffer)
+        return CUPOLA_OK; /* the default framebuffer has no textures */
+    glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &colors);
+    for (int i = 0; i < colors; i++) {
+        GLuint attached = color_texture(i);
+        for (int k = 0; attached && k < count; k++)
+            if (textures[k] == attached)
+                return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                                 "target's framebuffer %u has texture %u, which is sampled, as its "
+                                 "color attachment %d; allowed: other textures",
+                                 framebuffer, attached, i);
+    }
     return CUPOLA_OK;
 }
 

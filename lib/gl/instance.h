@@ -52,6 +52,16 @@ void warp_pass_destroy(struct warp_pass *pass);
  */
 int target_bind(GLuint framebuffer, struct cupola_error *error);
 
+/*
+ * For the framebuffer that target_bind has bound: CUPOLA_ERROR_ARGUMENT if one of its colours is a
+ * texture that would be sampled while it is drawn into. Textures of name 0 are none.
+ */
+int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
+                         struct cupola_error *error);
+
+/* Forgets errors that were there before, so that the next glGetError tells of our own calls. */
+void gl_errors_drop(void);
+
 /* A framebuffer with one colour texture. 0 on failure. */
 GLuint framebuffer_create(GLuint texture);
 

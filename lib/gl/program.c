@@ -3,35 +3,54 @@
 
 #include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "error.h"
 #include "shaders.h"
 
-enum { FILES_MAX = 8 };
+enum { FILES_MAX = 8, LINES_PER_FILE = 1000 };
 
 /*
- * Every file starts with a #line of its own number, so the compiler's "2:17" is line 17 of the
- * second file; the message lists the files.
+ * Compilers say where an error is as "0:17(3)", "0(17)" or "0:17:", the line last, and not all keep
+ * the number of the file that #line may give before it. So the lines of file i are numbered from
+ * (i + 1) LINES_PER_FILE + 1, and each such number is put into words: "0:warp.frag:17(3)".
  */
+static void name_lines(const char *log, const struct shader_file *files, int count, char *text,
+                       size_t size)
+{
+    size_t length = 0;
+    char before = '\n';
+    while (*log && length + 1 < size) {
+        char *end = NULL;
+        long number = *log >= '0' && *log <= '9' ? strtol(log, &end, 10) : 0;
+        bool place = number > LINES_PER_FILE && number < (count + 1L) * LINES_PER_FILE &&
+                     (before == ':' || before == '(');
+        size_t step = end ? (size_t)(end - log) : 1;
+        int written =
+            place ? snprintf(text + length, size - length, "%s:%ld",
+                             files[number / LINES_PER_FILE - 1].name, number % LINES_PER_FILE)
+                  : snprintf(text + length, size - length, "%.*s", (int)step, log);
+        length += (size_t)written;
+        before = log[step - 1];
+        log += step;
+    }
+}
+
 static void describe_failure(GLuint object, bool program, const struct shader_file *files,
                              int count, struct cupola_error *error)
 {
-    char log[512] = "", names[256] = "";
+    char log[512] = "", text[800] = "";
     if (program)
         glGetProgramInfoLog(object, sizeof log, NULL, log);
     else
         glGetShaderInfoLog(object, sizeof log, NULL, log);
-    for (int i = 0; i < count; i++) {
-        size_t length = strlen(names);
-        snprintf(names + length, sizeof names - length, "%s%d = %s", i ? ", " : "", i + 1,
-                 files[i].name);
-    }
-    for (char *c = log; *c; c++)
+    name_lines(log, files, count, text, sizeof text);
+    for (char *c = text; *c; c++)
         if (*c == '\n')
             *c = ' ';
-    error_set(error, CUPOLA_ERROR_GL, "the GL's compiler refused a shader (files: %s): %s", names,
-              log);
+    error_set(error, CUPOLA_ERROR_GL, "the GL's compiler refused %s: %s", files[count - 1].name,
+              text);
 }
 
 static GLuint compile(GLenum kind, const char *defines, const struct shader_file *files, int count,
@@ -40,7 +59,7 @@ static GLuint compile(GLenum kind, const char *defines, const struct shader_file
     const char *texts[2 * FILES_MAX + 2] = {"#version 330 core\n", defines};
     char lines[FILES_MAX][32];
     for (int i = 0; i < count; i++) {
-        snprintf(lines[i], sizeof lines[i], "\n#line 1 %d\n", i + 1);
+        snprintf(lines[i], sizeof lines[i], "\n#line %d\n", (i + 1) * LINES_PER_FILE + 1);
         texts[2 * i + 2] = lines[i];
         texts[2 * i + 3] = files[i].text;
     }

@@ -16,7 +16,8 @@ struct shader_file {
 
 /*
  * Compiles the full-screen triangle with a fragment shader made of `count` files, `defines` before
- * them. 0 on failure, with the compiler's words and the file's name in the error.
+ * them. 0 on failure, with the compiler's words and file and line in the error. A file has fewer
+ * than 1000 lines.
  */
 GLuint program_create(const char *defines, const struct shader_file *files, int count,
                       struct cupola_error *error);

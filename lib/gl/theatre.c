@@ -13,6 +13,9 @@
 #include "program.h"
 #include "shaders.h"
 
+/* Of products of rows: a rotation made in single precision still is one. */
+static const double rotation_slack = 1e-6;
+
 struct cupola_theatre {
     struct cupola_dome dome;
     struct host_features features;
@@ -108,6 +111,8 @@ void cupola_theatre_destroy(cupola_theatre **theatre)
 
 void cupola_spectator_at_eye(const cupola_dome *dome, struct cupola_spectator *spectator)
 {
+    if (!dome || !spectator)
+        return;
     *spectator = (struct cupola_spectator){.fov_rad = pi / 3};
     memcpy(spectator->position_m, dome->rig.eye_m, sizeof spectator->position_m);
     /* The camera's axes in the dome frame are the rows of the rotation from dome to camera. */
@@ -116,7 +121,8 @@ void cupola_spectator_at_eye(const cupola_dome *dome, struct cupola_spectator *s
 
 void cupola_spectator_outside(const cupola_dome *dome, struct cupola_spectator *spectator)
 {
-    const double radius = dome->rig.screen.radius_m;
+    if (!dome || !spectator)
+        return;
     /* To the right of the viewer, above and behind, looking at the middle of the sphere; all in the
      * host's camera frame, so that up is up for every tilt. */
     double back[3] = {0.62, 0.5, 0.9}, right[3], up[3] = {0, 1, 0}, camera[9];
@@ -132,7 +138,41 @@ void cupola_spectator_outside(const cupola_dome *dome, struct cupola_spectator *
     memcpy(camera + 6, back, sizeof back);
     multiply3(camera, dome->tilt, spectator->rotation);
     cupola_dome_from_camera(dome, back, spectator->position_m);
-    scale3(spectator->position_m, 3.2 * radius);
+    scale3(spectator->position_m, 3.2 * dome->rig.screen.radius_m);
+}
+
+static bool rotation_is_zero(const double rotation[9])
+{
+    for (int i = 0; i < 9; i++)
+        if (rotation[i] != 0)
+            return false;
+    return true;
+}
+
+static int check_rotation(const double rotation[9], struct cupola_error *error)
+{
+    double determinant, cross[3];
+    for (int i = 0; i < 9; i++)
+        if (!isfinite(rotation[i]))
+            return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                             "spectator's rotation[%d] is %g; allowed: any finite number", i,
+                             rotation[i]);
+    for (int row = 0; row < 3; row++)
+        for (int other = row; other < 3; other++) {
+            double product = dot3(rotation + 3 * row, rotation + 3 * other);
+            if (!(fabs(product - (row == other)) <= rotation_slack))
+                return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                                 "spectator's rotation has rows %d and %d whose product is %.9g; "
+                                 "allowed: %d within %g, or a rotation that is all zero",
+                                 row, other, product, row == other, rotation_slack);
+        }
+    cross3(rotation, rotation + 3, cross);
+    determinant = dot3(cross, rotation + 6);
+    if (determinant < 0)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "spectator's rotation has determinant %g, a mirror image; allowed: 1",
+                         determinant);
+    return CUPOLA_OK;
 }
 
 static int check_spectator(const struct cupola_spectator *spectator, int width, int height,
@@ -150,20 +190,22 @@ static int check_spectator(const struct cupola_spectator *spectator, int width, 
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "spectator's position_m[%d] is %g; allowed: any finite number", i,
                              spectator->position_m[i]);
-    for (int i = 0; i < 9; i++)
-        if (!isfinite(spectator->rotation[i]))
+    for (int i = 0; i < 3; i++)
+        if (!isfinite(spectator->ambient_rgb[i]))
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                             "spectator's rotation[%d] is %g; allowed: any finite number", i,
-                             spectator->rotation[i]);
+                             "spectator's ambient_rgb[%d] is %g; allowed: any finite number", i,
+                             (double)spectator->ambient_rgb[i]);
     if (width < 1 || height < 1 || width > 32768 || height > 32768)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "picture of the theatre is %d x %d px; allowed: 1 to 32768 each way",
                          width, height);
-    return CUPOLA_OK;
+    return rotation_is_zero(spectator->rotation) ? CUPOLA_OK
+                                                 : check_rotation(spectator->rotation, error);
 }
 
-static void set_spectator(GLuint program, const struct cupola_spectator *spectator,
-                          struct cupola_target place, int width, int height)
+static void set_spectator(GLuint program, const cupola_dome *dome,
+                          const struct cupola_spectator *spectator, struct cupola_target place,
+                          int width, int height)
 {
     double fov = spectator->fov_rad == 0 ? pi / 3 : spectator->fov_rad;
     double axes[9], size[2] = {width, height}, corner[2] = {place.x, place.y};
@@ -171,7 +213,8 @@ static void set_spectator(GLuint program, const struct cupola_spectator *spectat
     double ambient[3];
     for (int i = 0; i < 3; i++)
         ambient[i] = (double)spectator->ambient_rgb[i];
-    transpose3(spectator->rotation, axes);
+    bool as_camera = rotation_is_zero(spectator->rotation);
+    transpose3(as_camera ? dome->tilt : spectator->rotation, axes);
     program_set_vector(program, "target_corner", corner, 2);
     program_set_vector(program, "target_size", size, 2);
     program_set_vector(program, "half_opening", half, 2);
@@ -205,7 +248,7 @@ static void draw_outputs(const cupola_theatre *theatre, const unsigned int *imag
         if (i == 1)
             host_set_adding(&theatre->features);
         glUseProgram(program);
-        set_spectator(program, spectator, place, width, height);
+        set_spectator(program, &theatre->dome, spectator, place, width, height);
         glUniform1i(glGetUniformLocation(program, "first_output"), i == 0);
         glBindTexture(GL_TEXTURE_2D, images[i]);
         draw_fullscreen(theatre->vertex_array);
@@ -249,6 +292,9 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     status = check_images(theatre, images, error);
     if (status == CUPOLA_OK)
         status = target_bind(place.framebuffer, error);
+    if (status == CUPOLA_OK)
+        status =
+            target_check_sampled(place.framebuffer, images, theatre->dome.rig.output_count, error);
     if (status == CUPOLA_OK)
         draw_outputs(theatre, images, spectator, width, height, place);
     host_state_restore(&state);

@@ -112,5 +112,5 @@ int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error)
 
 unsigned int cupola_gl_atlas(const cupola_gl *gl)
 {
-    return gl->atlas;
+    return gl ? gl->atlas : 0;
 }

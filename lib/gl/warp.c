@@ -109,9 +109,12 @@ int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_target *target
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     const struct warp_pass *pass = &gl->passes[output];
     struct cupola_target place = target ? *target : (struct cupola_target){0};
+    const GLuint sampled[2] = {gl->atlas, pass->table};
     struct host_state state;
     host_state_save(&state, &gl->features);
     status = target_bind(place.framebuffer, error);
+    if (status == CUPOLA_OK)
+        status = target_check_sampled(place.framebuffer, sampled, 2, error);
     if (status == CUPOLA_OK) {
         host_set_area(&gl->features, place.x, place.y, size->width_px, size->height_px);
         glActiveTexture(GL_TEXTURE1);

@@ -2,9 +2,75 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "error.h"
 #include "image_file.h"
+
+/*
+ * stb_image_write ends the process where it gets no memory, so it draws from one block that is
+ * allocated beforehand, large enough for all that it asks for; nothing goes back before the end.
+ * Its hooks know no context: the block of the call under way is the thread's.
+ */
+struct arena {
+    unsigned char *next, *end;
+    unsigned char *stream; /* the compressed data once they are longer than any chain */
+    size_t stream_size;    /* that they may reach */
+};
+
+static _Thread_local struct arena arena;
+
+/*
+ * What it asks for, with D bytes of rows, each with its filter's number in front:
+ *   D, one row, and 2^14 pointers to chains;
+ *   a chain each of at most 16 pointers: 2, 5, 11, then 23 places and 8 bytes are asked for;
+ *   the compressed stream, 9 bits a byte at worst, which grows to twice its length and a little;
+ *   the file, in which data that would not shrink are stored: 5 bytes more every 32767.
+ */
+enum { CHAINS = 1 << 14, CHAIN_SIZE_MAX = 23 * 8 + 8, CHAIN_SIZES = 32 + 48 + 96 + 192 };
+enum { ARENA_ALIGNMENT = 16, ARENA_SLACK = 1 << 16 };
+
+_Static_assert(sizeof(void *) <= 8, "chains of pointers of 8 bytes at most");
+
+static size_t stream_size_max(size_t rows_size)
+{
+    return 2 * (rows_size + rows_size / 8 + 64);
+}
+
+static size_t arena_size(size_t rows_size)
+{
+    return 3 * rows_size + rows_size / 4096 + stream_size_max(rows_size) +
+           (size_t)CHAINS * (sizeof(void *) + CHAIN_SIZES) + ARENA_SLACK;
+}
+
+static void *arena_take(size_t size)
+{
+    unsigned char *block = arena.next;
+    size_t rounded = (size + ARENA_ALIGNMENT - 1) / ARENA_ALIGNMENT * ARENA_ALIGNMENT;
+    if (rounded > (size_t)(arena.end - block))
+        return NULL;
+    arena.next += rounded;
+    return block;
+}
+
+static void *arena_grow(void *block, size_t old_size, size_t size)
+{
+    void *grown = arena.stream;
+    if (size <= CHAIN_SIZE_MAX)
+        grown = arena_take(size);
+    else if (!arena.stream)
+        grown = arena.stream = arena_take(arena.stream_size);
+    else if (size > arena.stream_size)
+        return NULL;
+    if (grown && grown != block && block)
+        memcpy(grown, block, old_size);
+    return grown;
+}
+
+#define STBIW_MALLOC(size) arena_take((size_t)(size))
+#define STBIW_REALLOC_SIZED(block, old_size, size)                                                 \
+    arena_grow(block, (size_t)(old_size), (size_t)(size))
+#define STBIW_FREE(block) ((void)(block))
 
 #pragma GCC diagnostic ignored "-Wunused-function" /* until the end: static and not all used */
 #pragma GCC diagnostic push
@@ -72,13 +138,14 @@ int cupola_png_write(const char *path, const float *rgba, int width, int height,
     unsigned char *bytes = bytes_of_image(rgba, width, height);
     if (!bytes)
         return image_file_no_memory(error, path, width, height);
-    /* stb_image_write ends the process when it gets no memory, so ask for as much beforehand. */
-    void *reserve = malloc((size_t)size * 4 + (1 << 20));
-    free(reserve);
-    if (!reserve) {
+    unsigned char *memory = malloc(arena_size((size_t)size));
+    if (!memory) {
         free(bytes);
         return image_file_no_memory(error, path, width, height);
     }
+    arena = (struct arena){.next = memory,
+                           .end = memory + arena_size((size_t)size),
+                           .stream_size = stream_size_max((size_t)size)};
 
     struct atomic_file file;
     status = atomic_file_begin(&file, path, error);
@@ -90,6 +157,8 @@ int cupola_png_write(const char *path, const float *rgba, int width, int height,
             sink.status = image_file_no_memory(error, path, width, height);
         status = image_file_finish(&file, sink.status, error);
     }
+    arena = (struct arena){0};
+    free(memory);
     free(bytes);
     return status;
 }

@@ -104,6 +104,34 @@ static void check_in_child(EGLenum api, EGLint renderable, const char *word)
         assert_int_equal(WEXITSTATUS(outcome), EXIT_SUCCESS);
 }
 
+/* The exit status of a child that finds no EGL driver; EXIT_SUCCESS if it has found one. */
+static int status_without_driver(const char *required)
+{
+    int outcome = 0;
+    fflush(stdout);
+    pid_t child = fork();
+    assert_int_not_equal(child, -1);
+    if (child == 0) {
+        setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", 1);
+        setenv("CUPOLA_GPU_REQUIRED", required, 1);
+        context_open();
+        _exit(EXIT_SUCCESS);
+    }
+    assert_int_equal(waitpid(child, &outcome, 0), child);
+    assert_true(WIFEXITED(outcome));
+    return WEXITSTATUS(outcome);
+}
+
+static void machine_without_gl_skips_unless_a_gpu_is_required(void **state)
+{
+    (void)state;
+    int status = status_without_driver("0");
+    if (status == EXIT_SUCCESS)
+        skip();
+    assert_int_equal(status, EXIT_SKIPPED);
+    assert_int_equal(status_without_driver("1"), EXIT_FAILURE);
+}
+
 static void context_that_is_too_old_is_refused_by_its_version(void **state)
 {
     (void)state;
@@ -160,6 +188,7 @@ int main(void)
 {
     /* In this order: once a context was there, a child could not have one of another kind. */
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(machine_without_gl_skips_unless_a_gpu_is_required),
         cmocka_unit_test(context_that_is_too_old_is_refused_by_its_version),
         cmocka_unit_test(context_of_opengl_es_is_refused_by_its_version),
         cmocka_unit_test(without_a_context_nothing_is_made),

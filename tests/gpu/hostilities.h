@@ -145,6 +145,7 @@ static void set_color_mask(void)
 {
     glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
     glColorMaski(1, GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+    glColorMaski(SNAPSHOT_BUFFERS - 1, GL_FALSE, GL_FALSE, GL_TRUE, GL_TRUE);
 }
 
 static void set_polygon_mode(void)

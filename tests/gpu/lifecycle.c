@@ -240,12 +240,34 @@ static void wrong_parameters_make_nothing(void **state)
                   &error, "9");
     assert_int_equal(cupola_gl_create(NULL, NULL, &gl, &error), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_gl_create(fixture.plan, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_gl_frame_begin(NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_gl_view_begin(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_gl_view_end(NULL, &error), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_gl_warp(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
     assert_null(gl);
     assert_int_equal(live_objects(), objects);
+    release(&fixture);
+}
+
+static void null_instead_of_a_handle_is_refused(void **state)
+{
+    const struct cupola_spectator somebody = {.fov_rad = 1.25};
+    struct cupola_spectator spectator = somebody;
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_NONE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    unsigned int texture = 7;
+    (void)state;
+    check_refused(cupola_gl_frame_begin(NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
+    check_refused(cupola_gl_view_begin(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "NULL");
+    check_refused(cupola_gl_view_end(NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
+    check_refused(cupola_gl_warp(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
+    check_refused(cupola_gl_points(NULL, 0, &texture, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "NULL");
+    assert_int_equal(texture, 7);
+    assert_int_equal(cupola_gl_atlas(NULL), 0);
+    assert_int_equal(cupola_table_find(NULL), CUPOLA_ERROR_ARGUMENT);
+    cupola_spectator_at_eye(NULL, &spectator);
+    cupola_spectator_outside(NULL, &spectator);
+    assert_memory_equal(&spectator, &somebody, sizeof somebody);
+    cupola_spectator_at_eye(fixture.dome, NULL);
+    cupola_spectator_outside(fixture.dome, NULL);
     release(&fixture);
 }
 
@@ -276,6 +298,7 @@ int main(void)
         cmocka_unit_test(views_come_in_any_order_and_the_warp_repeats),
         cmocka_unit_test(atlas_beyond_the_largest_texture_is_refused),
         cmocka_unit_test(wrong_parameters_make_nothing),
+        cmocka_unit_test(null_instead_of_a_handle_is_refused),
         cmocka_unit_test(destroying_inside_of_a_view_gives_the_target_back),
     };
     return cmocka_run_group_tests_name("lifecycle", tests, open_context, close_context);

@@ -141,7 +141,7 @@ static void what_cannot_be_read_is_not_captured(void **state)
     check_refused(cupola_gl_capture(&target, SIZE, 32769, pixels, &error), CUPOLA_ERROR_ARGUMENT,
                   &error, "32769");
     check_refused(cupola_gl_capture(&target, SIZE, SIZE, NULL, &error), CUPOLA_ERROR_ARGUMENT,
-                  &error, "");
+                  &error, "rgba is NULL");
     assert_int_equal(cupola_gl_capture(&target, SIZE, SIZE, pixels, &error), CUPOLA_OK);
     check_near(pixels[1], 0.4, 1e-6);
     check_untouched();
@@ -154,6 +154,115 @@ static int draw(const GLuint *images, const struct cupola_spectator *spectator, 
 {
     const struct cupola_target target = {.framebuffer = good_framebuffer};
     return cupola_theatre_draw(theatre, images, spectator, width, height, &target, error);
+}
+
+/* The host's framebuffer with a second texture, of 5, 6, 7, 8 everywhere. */
+static GLuint attach_second(void)
+{
+    static const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    static const GLfloat color[4] = {5, 6, 7, 8};
+    GLuint second = texture_of(GL_RGBA32F);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, second, 0);
+    glDrawBuffers(2, both);
+    glClearBufferfv(GL_COLOR, 1, color);
+    return second;
+}
+
+static void release_second(GLuint second)
+{
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, 0, 0);
+    glDrawBuffer(GL_COLOR_ATTACHMENT0);
+    glDeleteTextures(1, &second);
+    glClear(GL_COLOR_BUFFER_BIT);
+}
+
+static void check_second(GLuint second)
+{
+    float *pixels = texture_read(second, SIZE, SIZE);
+    for (int i = 0; i < 4 * SIZE * SIZE; i++)
+        check_near(pixels[i], 5 + i % 4, 0.0);
+    free(pixels);
+}
+
+/* Draw buffer 0 is the target: of the others nothing is written, whatever masks the host has. */
+static void further_draw_buffers_keep_what_they_have(void **state)
+{
+    const struct cupola_target target = {.framebuffer = good_framebuffer};
+    struct cupola_spectator spectator;
+    float pixels[4 * SIZE * SIZE];
+    GLuint second = attach_second();
+    GLboolean mask[4];
+    (void)state;
+    cupola_spectator_at_eye(fixture.dome, &spectator);
+    glColorMaski(1, GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    check_second(second);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_FLOAT, pixels);
+    check_near(pixels[1], 0.0, 0.0); /* the border's black: it has been drawn */
+    assert_int_equal(draw(&image, &spectator, SIZE, SIZE, NULL), CUPOLA_OK);
+    check_second(second);
+    glGetBooleani_v(GL_COLOR_WRITEMASK, 1, mask);
+    assert_true(mask[0] && !mask[1] && mask[2] && !mask[3]);
+    glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    release_second(second);
+    check_untouched();
+}
+
+static void what_is_sampled_is_no_target(void **state)
+{
+    struct cupola_target target = {.framebuffer = good_framebuffer};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_spectator spectator;
+    struct cupola_gl_view view;
+    unsigned int points = 0, own[2] = {cupola_gl_atlas(fixture.gl), 0};
+    (void)state;
+    cupola_spectator_at_eye(fixture.dome, &spectator);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    check_refused(draw(&good_texture, &spectator, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "color attachment 0");
+    assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, NULL), CUPOLA_OK);
+    own[1] = points; /* it is the warp's table, too */
+    for (int i = 0; i < 2; i++) {
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, own[i], 0);
+        check_refused(cupola_gl_warp(fixture.gl, 0, &target, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                      "color attachment 2");
+        check_refused(draw(&own[i], &spectator, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                      "color attachment 2");
+    }
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, 0, 0);
+    check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, &view, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
+    target.framebuffer = view.framebuffer;
+    check_refused(cupola_gl_warp(fixture.gl, 0, &target, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "color attachment 0");
+    check_untouched();
+}
+
+static void errors_that_were_pending_go_where_the_gl_is_asked_and_stay_elsewhere(void **state)
+{
+    const struct cupola_target target = {.framebuffer = good_framebuffer};
+    float pixels[4 * SIZE * SIZE];
+    struct cupola_gl_view view;
+    (void)state;
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    glEnable(0xffff);
+    assert_int_equal(cupola_gl_capture(&target, SIZE, SIZE, pixels, NULL), CUPOLA_OK);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    glEnable(0xffff);
+    fixture_replace_gl(&fixture, NULL);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+    glEnable(0xffff);
+    check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, &view, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    assert_int_equal(glGetError(), GL_INVALID_ENUM);
+    glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
+    glClear(GL_COLOR_BUFFER_BIT);
 }
 
 static void what_is_no_texture_is_no_image(void **state)
@@ -197,6 +306,25 @@ static void spectators_that_cannot_be_are_refused(void **state)
     bad.rotation[7] = HUGE_VAL;
     check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "rotation[7]");
+    bad = good;
+    bad.rotation[4] += 2e-6;
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "rows 1 and 1");
+    bad = good;
+    bad.rotation[1] = 0.01;
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error, "rows");
+    bad = good;
+    bad.rotation[1] = 1e200;
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error, "rows");
+    bad = good;
+    for (int i = 0; i < 3; i++)
+        bad.rotation[i] = -good.rotation[i];
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "determinant -1");
+    bad = good;
+    bad.ambient_rgb[2] = NAN;
+    check_refused(draw(&image, &bad, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "ambient_rgb[2]");
     check_refused(draw(&image, NULL, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "spectator");
     check_refused(draw(NULL, &good, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error, "images");
@@ -238,6 +366,9 @@ int main(void)
         cmocka_unit_test(framebuffer_that_does_not_exist_is_no_target),
         cmocka_unit_test(framebuffer_without_attachments_is_no_target),
         cmocka_unit_test(what_cannot_be_read_is_not_captured),
+        cmocka_unit_test(further_draw_buffers_keep_what_they_have),
+        cmocka_unit_test(what_is_sampled_is_no_target),
+        cmocka_unit_test(errors_that_were_pending_go_where_the_gl_is_asked_and_stay_elsewhere),
         cmocka_unit_test(what_is_no_texture_is_no_image),
         cmocka_unit_test(spectators_that_cannot_be_are_refused),
         cmocka_unit_test(program_that_the_host_has_deleted_is_no_error),

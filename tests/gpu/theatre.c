@@ -345,6 +345,24 @@ static void spectator_at_the_eye_looks_ahead(void **state)
     cupola_dome_destroy(&dome);
 }
 
+static void spectator_without_a_rotation_looks_as_the_camera_does(void **state)
+{
+    struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 180.0, 64);
+    (void)state;
+    rig.tilt_rad = 0.7;
+    struct stage stage = stage_create(&rig);
+    GLuint image = screen_image(&stage, 0);
+    size_t bytes = (size_t)(4 * WIDTH * HEIGHT) * sizeof(float);
+    float *turned = stage_draw(&stage, &image);
+    memset(stage.sight.spectator.rotation, 0, sizeof stage.sight.spectator.rotation);
+    float *plain = stage_draw(&stage, &image);
+    assert_memory_equal(plain, turned, bytes);
+    check_at_least(fabs((double)plain[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + 2]), 0.5);
+    free(plain);
+    free(turned);
+    stage_release(&stage);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -354,6 +372,7 @@ int main(void)
         cmocka_unit_test(ambient_light_falls_on_the_screen_once),
         cmocka_unit_test(viewer_and_projector_stand_where_the_rig_says),
         cmocka_unit_test(spectator_at_the_eye_looks_ahead),
+        cmocka_unit_test(spectator_without_a_rotation_looks_as_the_camera_does),
     };
     return cmocka_run_group_tests_name("theatre", tests, setup, teardown);
 }

@@ -19,7 +19,11 @@
  * as it found it (docs/host-contract.md has the list), except that between view_begin and view_end
  * the view's framebuffer, viewport and scissor rectangle are set for the host. OpenGL 3.3 core is
  * the floor. Object names are of type GLuint, spelled `unsigned int` so that no GL header is
- * needed. Where no context is current, whatever needs one answers CUPOLA_ERROR_CONTEXT.
+ * needed. Where no context is current, whatever needs one answers CUPOLA_ERROR_CONTEXT; which calls
+ * do is said with each.
+ *
+ * GL errors that are pending when cupola_gl_create, cupola_gl_points (as it makes the table) or
+ * cupola_gl_capture is called are dropped: those calls have to ask for errors of their own.
  */
 #ifndef CUPOLA_GL_H
 #define CUPOLA_GL_H
@@ -60,9 +64,12 @@ struct cupola_gl_params {
  * params   NULL: all zero
  * gl       out: to be given to cupola_gl_destroy; untouched on failure
  * error    may be NULL
- * returns  CUPOLA_OK; CUPOLA_ERROR_CONTEXT if no context is current or it is older than 3.3;
- *          CUPOLA_ERROR_ARGUMENT if the atlas is larger than this GL's textures may be;
- *          CUPOLA_ERROR_MEMORY; CUPOLA_ERROR_GL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, format or table is none of those above, or
+ *          the atlas or an output is larger than this GL's textures may be
+ *          CUPOLA_ERROR_CONTEXT if no context is current, or one of OpenGL ES or older than 3.3
+ *          CUPOLA_ERROR_MEMORY
+ *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader
  * thread   the context's
  * since    0.1
  */
@@ -71,22 +78,29 @@ CUPOLA_API int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_
 
 /*
  * Gives back every GL object and sets the handle to NULL; NULL and a handle that is NULL are
- * allowed. The context in which it was made must be current (one that shares its textures will not
- * do: framebuffers and vertex arrays are not shared); if none is, only memory is freed.
+ * allowed. A view that is open is ended first. The context in which it was made must be current
+ * (one that shares its textures will not do: framebuffers and vertex arrays are not shared); if
+ * none is, only memory is freed.
+ *
+ * thread   the context's
+ * since    0.1
  */
 CUPOLA_API void cupola_gl_destroy(cupola_gl **gl);
 
 struct cupola_frame {
-    double near_distance; /* along each view's axis, scene units; 0: 0.1 */
-    double far_distance;  /* 0: 1000 */
+    double near_distance; /* along each view's axis, scene units, above 0; 0: 0.1 */
+    double far_distance;  /* the same, finite and beyond near; 0: 1000 */
     float clear_color[4]; /* RGBA that each view is cleared to; all zero: transparent black */
 };
 
 /*
- * Begins a frame.
+ * Begins a frame. Draws nothing and needs no context.
  *
  * frame    NULL: all zero
- * returns  the number of views to draw; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_ORDER inside a view
+ * error    may be NULL
+ * returns  the number of views to draw, 1 or more
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL or the distances are not as said above
+ *          CUPOLA_ERROR_ORDER inside a view
  * thread   the context's
  * since    0.1
  */
@@ -104,16 +118,36 @@ struct cupola_gl_view {
  * and sets viewport and scissor rectangle to it. view_end puts back what the host had.
  *
  * index    0 to the number of views - 1, in any order, each as often as wished
- * view     out; may be NULL
- * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_ORDER before frame_begin or inside a view
+ * view     out; may be NULL; untouched on failure
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL or there is no such view
+ *          CUPOLA_ERROR_ORDER before frame_begin or inside a view
+ *          CUPOLA_ERROR_CONTEXT
  * thread   the context's
  * since    0.1
  */
 CUPOLA_API int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
                                     struct cupola_error *error);
+
+/*
+ * Ends the view that is open: framebuffers, viewport and scissor are again what they were when it
+ * began.
+ *
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL
+ *          CUPOLA_ERROR_ORDER outside of a view
+ *          CUPOLA_ERROR_CONTEXT, and the view stays open
+ * thread   the context's
+ * since    0.1
+ */
 CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
 
-/* Where the warp draws. All zero is the default framebuffer at (0, 0). */
+/*
+ * Where the warp draws: draw buffer 0 of a framebuffer, and no other of it. All zero is the default
+ * framebuffer at (0, 0).
+ */
 struct cupola_target {
     unsigned int framebuffer; /* 0: the default framebuffer */
     int x;                    /* lower left corner of the output's image in it, px */
@@ -124,9 +158,16 @@ struct cupola_target {
  * Draws an output's image into a target, from the views as they are now. The rectangle is of the
  * output's size; every pixel in it is written (colour, all four channels), none outside of it.
  *
- * output   index
- * target   NULL: all zero
- * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_ORDER inside a view; CUPOLA_ERROR_GL
+ * output   index, 0 to the number of the rig's outputs - 1
+ * target   NULL: all zero. Textures that the warp samples (the atlas, the output's table) must not
+ *          be attached to it, so the views' framebuffer is no target
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or a texture that is
+ *          sampled is a colour of the target
+ *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
  * thread   the context's
  * since    0.1
  */
@@ -134,10 +175,10 @@ CUPOLA_API int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_tar
                               struct cupola_error *error);
 
 /*
- * The views' texture: its name and size, guard bands and gaps included. The rectangles are the
- * plan's. Lives as long as gl.
+ * The views' texture, guard bands and gaps included. Its size (atlas_width_px, atlas_height_px of
+ * the report) and the views' rectangles in it are the plan's. Lives as long as gl.
  *
- * returns  the name of a GL_TEXTURE_2D
+ * returns  the name of a GL_TEXTURE_2D; 0 if gl is NULL
  * thread   any
  * since    0.1
  */
@@ -148,9 +189,16 @@ CUPOLA_API unsigned int cupola_gl_atlas(const cupola_gl *gl);
  * output's size, RGBA32F: x, y, z of D in metres (dome frame) and the pixel's coverage, 0 to 1.
  * Made at the first call, whatever the table stage. Lives as long as gl.
  *
- * texture  out
- * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_ORDER inside a view; CUPOLA_ERROR_MEMORY;
- *          CUPOLA_ERROR_GL
+ * output   index, 0 to the number of the rig's outputs - 1
+ * texture  out; untouched on failure
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl or texture is NULL, there is no such output, or it is larger
+ *          than this GL's textures may be
+ *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_MEMORY
+ *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader
  * thread   the context's
  * since    0.1
  */
@@ -160,9 +208,16 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
 /*
  * Reads a rectangle of a framebuffer: the capture of a target.
  *
- * target   framebuffer and lower left corner; NULL: all zero
- * rgba     out: 4 width height floats, rows from the bottom up, as GL converts them
- * returns  CUPOLA_OK; CUPOLA_ERROR_CONTEXT; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_GL
+ * target   framebuffer, of which the read buffer is read, and lower left corner; NULL: all zero
+ * width    px, 1 to 32768, as height; pixels outside of the framebuffer are undefined
+ * rgba     out: 4 width height floats, rows from the bottom up, as GL converts them; untouched on
+ *          failure
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if rgba is NULL or a side is not as said above
+ *          CUPOLA_ERROR_CONTEXT if no context is current, or one of OpenGL ES or older than 3.3
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist, is not complete, has several samples
+ *          per pixel or no colour to read
  * thread   the context's
  * since    0.1
  */
@@ -171,7 +226,7 @@ CUPOLA_API int cupola_gl_capture(const struct cupola_target *target, int width, 
 
 /*
  * The name of a table stage as on command lines, and the way back (CUPOLA_ERROR_ARGUMENT if there
- * is none); the name is NULL for a number that is no stage.
+ * is none, or for NULL); the name is NULL for a number that is no stage.
  *
  * thread   any
  * since    0.1

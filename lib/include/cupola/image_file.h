@@ -18,9 +18,14 @@ extern "C" {
  * Writes a PNG of 8 bits in three channels: 0 to 1 becomes 0 to 255, rounded to nearest; values
  * outside are clamped, NaN is written as 0, alpha is left out.
  *
+ * path     of a regular file, or of one that is not there yet
  * rgba     4 width height floats
- * width    px, 1 to 32768 each, and at most 300 million pixels
- * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_FILE; CUPOLA_ERROR_MEMORY
+ * width    px, 1 to 32768, as height; (3 width + 1) height is at most 900 million
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if path is NULL or empty, rgba is NULL, or the size is not as said
+ *          CUPOLA_ERROR_FILE if the file cannot be written
+ *          CUPOLA_ERROR_MEMORY: it takes some 20 bytes a pixel, and 6 MiB
  * thread   any
  * since    0.1
  */
@@ -30,6 +35,17 @@ CUPOLA_API int cupola_png_write(const char *path, const float *rgba, int width, 
 /*
  * Writes a colour PFM: three little-endian floats per pixel, bit for bit, rows from the bottom up;
  * alpha is left out.
+ *
+ * path     of a regular file, or of one that is not there yet
+ * rgba     4 width height floats
+ * width    px, 1 to 32768, as height
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if path is NULL or empty, rgba is NULL, or the size is not as said
+ *          CUPOLA_ERROR_FILE if the file cannot be written
+ *          CUPOLA_ERROR_MEMORY
+ * thread   any
+ * since    0.1
  */
 CUPOLA_API int cupola_pfm_write(const char *path, const float *rgba, int width, int height,
                                 struct cupola_error *error);
@@ -39,15 +55,25 @@ CUPOLA_API int cupola_pfm_write(const char *path, const float *rgba, int width, 
  * order; alpha becomes 1. Of the scale in the header only the sign counts (the byte order).
  *
  * rgba     out: allocated; to be given to cupola_image_free; untouched on failure
- * width    out, px; at most 32768 each
- * returns  CUPOLA_OK; CUPOLA_ERROR_FILE; CUPOLA_ERROR_SYNTAX; CUPOLA_ERROR_MEMORY
+ * width    out, px, 1 to 32768, as height; untouched on failure
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if path is NULL or empty, or rgba, width or height is NULL
+ *          CUPOLA_ERROR_FILE if the file cannot be read
+ *          CUPOLA_ERROR_SYNTAX if it is no PFM, or not of the length that its header says
+ *          CUPOLA_ERROR_MEMORY
  * thread   any
  * since    0.1
  */
 CUPOLA_API int cupola_pfm_read(const char *path, float **rgba, int *width, int *height,
                                struct cupola_error *error);
 
-/* Frees an image and sets the pointer to NULL; NULL is allowed. */
+/*
+ * Frees an image and sets the pointer to NULL; NULL and a pointer that is NULL are allowed.
+ *
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API void cupola_image_free(float **rgba);
 
 #ifdef __cplusplus

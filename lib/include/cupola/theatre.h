@@ -3,7 +3,8 @@
  * screen, seen by a camera. With the camera at the eye of a right rig it shows what a plain
  * perspective rendering of the scene shows, and that is the end-to-end test of everything else.
  *
- * Rules of the context, of threads and of state as in gl.h.
+ * Rules of the context, of threads and of state as in gl.h. GL errors that are pending stay so,
+ * except that cupola_theatre_draw drops one where it finds an image that is no 2-D texture.
  */
 #ifndef CUPOLA_THEATRE_H
 #define CUPOLA_THEATRE_H
@@ -21,31 +22,45 @@ typedef struct cupola_theatre cupola_theatre;
  *
  * theatre  out: to be given to cupola_theatre_destroy; untouched on failure
  * error    may be NULL
- * returns  CUPOLA_OK; CUPOLA_ERROR_CONTEXT; CUPOLA_ERROR_MEMORY; CUPOLA_ERROR_GL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if dome or theatre is NULL
+ *          CUPOLA_ERROR_CONTEXT if no context is current, or one of OpenGL ES or older than 3.3
+ *          CUPOLA_ERROR_MEMORY
+ *          CUPOLA_ERROR_GL if the GL refuses a shader
  * thread   the context's
  * since    0.1
  */
 CUPOLA_API int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
                                      struct cupola_error *error);
 
-/* As cupola_gl_destroy. */
+/*
+ * Gives back every GL object and sets the handle to NULL; NULL and a handle that is NULL are
+ * allowed. The context in which it was made must be current; if none is, only memory is freed.
+ *
+ * thread   the context's
+ * since    0.1
+ */
 CUPOLA_API void cupola_theatre_destroy(cupola_theatre **theatre);
 
 /* Who looks at the theatre. */
 struct cupola_spectator {
-    double position_m[3]; /* dome frame; inside or outside of the sphere */
-    double rotation[9];   /* rows: its right, up and backward axes in the dome frame */
+    double position_m[3]; /* dome frame, finite; in the sphere or out of it; zero: its centre */
+    /* Rows: its right, up and backward axes in the dome frame, of unit length, square to each other
+     * (products within 1e-6) and right-handed; all zero: looks the way the host's camera does. */
+    double rotation[9];
     double fov_rad;       /* vertical opening, above 0 and below pi; 0: 60 degrees */
     bool furniture;       /* draws projectors, viewer and the outside of the screen, too */
-    float ambient_rgb[3]; /* light on an unlit screen; all zero: black */
+    float ambient_rgb[3]; /* light on an unlit screen, finite; all zero: black */
 };
 
 /*
  * A spectator at the rig's eye who looks the way the host's camera does; and one who stands
- * outside, behind and above the viewer, with the whole theatre in sight.
+ * outside, behind and above the viewer, with the whole theatre in sight. Nothing is done if either
+ * pointer is NULL.
  *
- * thread   any
- * since    0.1
+ * spectator  out: all of it
+ * thread     any
+ * since      0.1
  */
 CUPOLA_API void cupola_spectator_at_eye(const cupola_dome *dome,
                                         struct cupola_spectator *spectator);
@@ -57,9 +72,15 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
  *
  * images   names of GL_TEXTURE_2D, one per output of the rig, of the outputs' sizes; sampled
  *          bilinearly
- * width    of the rectangle drawn, px, 1 to 32768
- * target   its framebuffer and lower left corner; NULL: all zero
- * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_GL
+ * width    of the rectangle drawn, px, 1 to 32768, as height
+ * target   its framebuffer, of which draw buffer 0 is drawn into, and lower left corner; NULL: all
+ *          zero. None of the images may be attached to it
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if theatre, images or spectator is NULL, the spectator is not as
+ *          said above, a side is not, or an image is no 2-D texture or a colour of the target
+ *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
  * thread   the context's
  * since    0.1
  */
