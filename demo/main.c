@@ -2,11 +2,13 @@
  * cupola-demo: any model or a built-in scene on a dome, in a window or in a file. Uses Cupola's
  * public headers only, like any other host.
  */
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
 #include <cupola/version.h>
 
+#include "file_clash.h"
 #include "model_trial.h"
 #include "options.h"
 #include "output_file.h"
@@ -56,6 +58,7 @@ int main(int argc, char **argv)
     struct show_setup setup = {0};
     int status = options_parse(argc, argv, &options, message);
 
+    signal(SIGXFSZ, SIG_IGN); /* a file that becomes too large is an ordinary error */
     if (status != STATUS_OK)
         return complain(status, message);
     if (options.help || options.version) {
@@ -64,6 +67,11 @@ int main(int argc, char **argv)
         else
             printf("cupola-demo %s\n", cupola_version());
     } else {
+        const char *picture = options.output;
+        if (!picture && options.headless)
+            picture = still_default_path(&options);
+        if (!file_clash_check(&options, picture, message))
+            return complain(STATUS_USAGE, message);
         status = world_check_camera(&options, message);
         if (status == STATUS_OK)
             status = options_rig(&options, &setup.rig, message);
@@ -74,6 +82,7 @@ int main(int argc, char **argv)
         setup.plan = options.plan;
         setup.table = options.table;
         setup.mode = options.mode;
+        setup.output = options_output(&options);
         setup.floats = options.output && options_is_pfm(options.output);
         status = run(&options, &setup, message);
         if (status != STATUS_OK)

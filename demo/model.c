@@ -12,11 +12,12 @@
 #include <sys/stat.h>
 
 #include <assimp/cimport.h>
-#include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/metadata.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+
+#include "short_path.h"
 
 /* Deeper trees are broken files; so many vertices need more memory than a demo should take. */
 enum { DEPTH_MAX = 1000, INSTANCES_MAX = 10000000 };
@@ -35,6 +36,7 @@ struct instance {
 struct loading {
     const char *path;
     const struct aiScene *source;
+    bool is_3ds; /* the file's format */
     struct model *model;
     struct instance *instances;
     size_t instance_count;
@@ -45,7 +47,8 @@ struct loading {
 
 static bool refuse(struct loading *loading, const char *reason)
 {
-    snprintf(loading->message, loading->message_size, "%s: %s", loading->path, reason);
+    snprintf(loading->message, loading->message_size, "%s: %s", short_path(loading->path).text,
+             reason);
     for (char *c = loading->message; *c; c++)
         if (*c == '\n' || *c == '\r')
             *c = ' ';
@@ -68,22 +71,31 @@ static bool check_file(struct loading *loading)
     return true;
 }
 
-static const struct aiScene *import(struct loading *loading, bool want_normals)
+/* From what assimp says of a file that it has read. */
+static bool is_3ds(const struct aiScene *source)
 {
-    struct aiPropertyStore *properties = aiCreatePropertyStore();
-    if (!properties) {
-        refuse(loading, "out of memory");
-        return NULL;
+    const struct aiMetadata *data = source->mMetaData;
+    for (unsigned int i = 0; data && i < data->mNumProperties; i++) {
+        const struct aiMetadataEntry *entry = &data->mValues[i];
+        if (entry->mType == AI_AISTRING && entry->mData &&
+            strcmp(data->mKeys[i].data, "SourceAsset_Format") == 0 &&
+            strstr(((const struct aiString *)entry->mData)->data, "3DS"))
+            return true;
     }
-    aiSetImportPropertyFloat(properties, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 60);
-    /* Not JoinIdenticalVertices: it joins what is nearer than 1e-5 units, so small models break. */
-    unsigned int steps = aiProcess_ValidateDataStructure | aiProcess_Triangulate;
-    if (want_normals)
-        steps |= aiProcess_GenSmoothNormals;
+    return false;
+}
+
+static const struct aiScene *import(struct loading *loading)
+{
+    /*
+     * Not JoinIdenticalVertices: it joins what is nearer than 1e-5 units, so small models break.
+     * Not GenSmoothNormals: it takes vertices that triangles share for one triangle's.
+     */
     const struct aiScene *source =
-        aiImportFileExWithProperties(loading->path, steps, NULL, properties);
-    aiReleasePropertyStore(properties);
-    if (!source) {
+        aiImportFile(loading->path, aiProcess_ValidateDataStructure | aiProcess_Triangulate);
+    if (source)
+        loading->is_3ds = is_3ds(source);
+    else {
         char reason[1024];
         snprintf(reason, sizeof reason, "cannot be read as a model (OBJ, PLY, glTF, 3DS ...): %s",
                  aiGetErrorString());
@@ -182,8 +194,10 @@ static int batch_order(const void *a, const void *b)
     return 0;
 }
 
-/* The normal's own transformation is the matrix of cofactors, which also serves where places are
- * flat or mirrored. */
+/*
+ * The normal's own transformation is the matrix of cofactors, which also serves where places are
+ * flat or mirrored. Zero where the file's normal is none.
+ */
 static void place_normal(const double m[3][4], const struct aiVector3D *from, float normal[3])
 {
     const double n[3] = {(double)from->x, (double)from->y, (double)from->z};
@@ -197,10 +211,10 @@ static void place_normal(const double m[3][4], const struct aiVector3D *from, fl
     double length = sqrt(squared);
     bool usable = isfinite(length) && length > 0;
     for (int i = 0; i < 3; i++)
-        normal[i] = usable ? (float)(turned[i] / length) : (i == 1 ? 1.0f : 0.0f);
+        normal[i] = usable ? (float)(turned[i] / length) : 0;
 }
 
-static bool fill_vertex(const struct instance *instance, unsigned int index, bool want_normals,
+static bool fill_vertex(const struct instance *instance, unsigned int index, bool take_normals,
                         struct model_vertex *vertex)
 {
     const struct aiMesh *mesh = instance->mesh;
@@ -213,7 +227,7 @@ static bool fill_vertex(const struct instance *instance, unsigned int index, boo
         if (!isfinite(vertex->position[row]))
             return false;
     }
-    if (want_normals && mesh->mNormals)
+    if (take_normals && mesh->mNormals)
         place_normal(instance->place, &mesh->mNormals[index], vertex->normal);
     memcpy(vertex->base, instance->base, sizeof vertex->base);
     for (int k = 0; k < 3; k++)
@@ -232,9 +246,11 @@ static bool fill_vertex(const struct instance *instance, unsigned int index, boo
     return true;
 }
 
+/* Normals of 3DS files are assimp's own, smooth over every edge: the format has none. */
 static bool fill_triangles(struct loading *loading, const struct instance *instance,
                            bool want_normals)
 {
+    bool take_normals = want_normals && !loading->is_3ds;
     struct model *model = loading->model;
     const struct aiMesh *mesh = instance->mesh;
     for (unsigned int f = 0; f < mesh->mNumFaces; f++) {
@@ -245,7 +261,7 @@ static bool fill_triangles(struct loading *loading, const struct instance *insta
             if (face->mIndices[corner] >= mesh->mNumVertices)
                 return refuse(loading, "is broken: a triangle uses a vertex that is not there");
             struct model_vertex *vertex = &model->vertices[model->vertex_count];
-            if (!fill_vertex(instance, face->mIndices[corner], want_normals, vertex))
+            if (!fill_vertex(instance, face->mIndices[corner], take_normals, vertex))
                 return refuse(loading, "is broken: a vertex has a coordinate that is no finite "
                                        "number");
             model->indices[model->index_count++] = model->vertex_count++;
@@ -284,7 +300,10 @@ static bool fill(struct loading *loading, bool want_normals)
     }
     if (model->index_count == 0)
         return refuse(loading, "has no triangles");
-    if (!model_weld(model))
+    if (!model_has_area(model))
+        return refuse(loading, "has no triangle to draw: the corners of each lie on a line or in "
+                               "one point");
+    if ((want_normals && !model_normals(model)) || !model_weld(model))
         return refuse(loading, "out of memory");
     return true;
 }
@@ -293,20 +312,11 @@ static bool fill(struct loading *loading, bool want_normals)
  * The inverse of what assimp did to a file's coordinates: it turns every 3DS file's Z axis up, as
  * the format's first program had it, though files do not say which axis is up.
  */
-static void undo_turn(const struct aiScene *source, double place[3][4])
+static void undo_turn(bool turned, double place[3][4])
 {
     static const double upright[3][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
     static const double turned_back[3][4] = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}};
-    const struct aiMetadata *data = source->mMetaData;
-    memcpy(place, upright, sizeof upright);
-    for (unsigned int i = 0; data && i < data->mNumProperties; i++) {
-        const struct aiMetadataEntry *entry = &data->mValues[i];
-        if (entry->mType != AI_AISTRING || !entry->mData ||
-            strcmp(data->mKeys[i].data, "SourceAsset_Format") != 0)
-            continue;
-        if (strstr(((const struct aiString *)entry->mData)->data, "3DS"))
-            memcpy(place, turned_back, sizeof turned_back);
-    }
+    memcpy(place, turned ? turned_back : upright, sizeof upright);
 }
 
 struct model *model_load(const char *path, bool want_normals, char *message, size_t message_size)
@@ -321,11 +331,11 @@ struct model *model_load(const char *path, bool want_normals, char *message, siz
         refuse(&loading, "out of memory");
         return NULL;
     }
-    loading.source = import(&loading, want_normals);
+    loading.source = import(&loading);
     if (loading.source && !loading.source->mRootNode)
         refuse(&loading, "is broken: nothing in it is placed anywhere");
     else if (loading.source) {
-        undo_turn(loading.source, place);
+        undo_turn(loading.is_3ds, place);
         loaded =
             add_node(&loading, loading.source->mRootNode, place, 0) && fill(&loading, want_normals);
     }

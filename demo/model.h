@@ -9,7 +9,8 @@
 
 struct model_vertex {
     float position[3]; /* world */
-    float normal[3];   /* world, unit length; zero where it was not wished for */
+    float normal[3];   /* world, unit length, on the side from which the triangle runs
+                        * counter-clockwise; zero where it was not wished for */
     float base[3];     /* the material's diffuse colour, as the file has it */
     float color[3];    /* of the vertex alone; to be multiplied with the material's */
     float texcoord[2]; /* origin bottom left */
@@ -45,13 +46,22 @@ struct model {
 /*
  * Reads a model. Triangles only: points and lines are left out. Nothing is rescaled or moved.
  *
- * want_normals  makes smooth normals where the file has none
+ * want_normals  makes normals where the file has none, smooth but for hard edges
  * returns       NULL on failure, with one line in `message` that names the file
  */
 struct model *model_load(const char *path, bool want_normals, char *message, size_t message_size);
 
 /* Destroys it; NULL is allowed. */
 void model_destroy(struct model *model);
+
+/*
+ * For model_load, before model_weld: makes the normals that are zero, and turns every normal to the
+ * side from which its triangle runs counter-clockwise. False: out of memory.
+ */
+bool model_normals(struct model *model);
+
+/* Likewise before model_weld: whether any triangle has an area. */
+bool model_has_area(const struct model *model);
 
 /* Makes one of all vertices that are the same to the last bit. False: out of memory. */
 bool model_weld(struct model *model);

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "model.h"
+#include "short_path.h"
 
 /* Where a PLY header does not end, assimp 5.2 looks for its end for ever. */
 static bool header_ends(const char *path)
@@ -64,7 +65,7 @@ bool model_trial(const char *path, bool want_normals, char *message, size_t mess
         snprintf(message, message_size,
                  "%s: cannot be read as a model: it begins like a PLY file, but its header has no "
                  "line end_header",
-                 path);
+                 short_path(path).text);
         return false;
     }
     fflush(NULL);
@@ -79,7 +80,7 @@ bool model_trial(const char *path, bool want_normals, char *message, size_t mess
         return true;
     snprintf(message, message_size,
              "%s: cannot be read as a model (OBJ, PLY, glTF, 3DS ...): it is broken, its reader %s",
-             path,
+             short_path(path).text,
              WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL)
                  ? "did not come to an end"
                  : "crashed");

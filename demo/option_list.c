@@ -36,6 +36,7 @@ const struct option option_list[] = {
     {"perspective", no_argument, NULL, OPTION_PERSPECTIVE},
     {"views-only", no_argument, NULL, OPTION_VIEWS_ONLY},
     {"preview", required_argument, NULL, OPTION_PREVIEW},
+    {"show-output", required_argument, NULL, OPTION_SHOW_OUTPUT},
     {"headless", no_argument, NULL, OPTION_HEADLESS},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"output", required_argument, NULL, OPTION_OUTPUT},

@@ -23,6 +23,12 @@ bool parse_number(const char *text, double *number)
     return true;
 }
 
+/* In long double, so that 120 degrees are written to a rig file as 120 again. */
+double angle_rad(const char *text_deg)
+{
+    return (double)(strtold(text_deg, NULL) * (3.14159265358979323846264338327950288L / 180));
+}
+
 static void describe_range(struct number_range range, char *text, size_t text_size)
 {
     if (range.low == -HUGE_VAL)
@@ -47,7 +53,7 @@ bool value_number(const struct value_context *context, const char *text, struct 
     char allowed[80];
 
     if (parse_number(text, &parsed) && in_range(range, parsed)) {
-        *number = parsed;
+        *number = range.degrees ? angle_rad(text) : parsed;
         return true;
     }
     describe_range(range, allowed, sizeof allowed);
@@ -76,25 +82,29 @@ bool value_integer(const struct value_context *context, const char *text, int lo
 }
 
 bool value_numbers(const struct value_context *context, const char *text, const char *shape,
-                   struct number_range range, int count, double *numbers)
+                   struct number_range range, int least, int most, double *numbers)
 {
-    double parsed[8];
+    double parsed[8] = {0};
     char part[64];
     char allowed[80];
     const char *at = text;
 
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < most; i++) {
         size_t length = strcspn(at, ",");
-        bool last = i == count - 1;
-        if (length >= sizeof part || (at[length] == ',') == last)
+        bool last = at[length] == 0;
+        if (length >= sizeof part || (last && i + 1 < least) || (!last && i + 1 == most))
             goto fail;
         memcpy(part, at, length);
         part[length] = 0;
         if (!parse_number(part, &parsed[i]) || !in_range(range, parsed[i]))
             goto fail;
+        if (range.degrees)
+            parsed[i] = angle_rad(part);
+        if (last)
+            break;
         at += length + 1;
     }
-    memcpy(numbers, parsed, (size_t)count * sizeof *numbers);
+    memcpy(numbers, parsed, (size_t)most * sizeof *numbers);
     return true;
 
 fail:
@@ -159,78 +169,4 @@ bool value_name(const struct value_context *context, const char *text,
     snprintf(context->message, MESSAGE_SIZE, "%s: '%.200s' is not allowed; allowed: %s",
              context->option, text, list);
     return false;
-}
-
-/* One line of a lens table; `order` is the line before it, NULL for the first. */
-static bool table_line(const char *line, const struct cupola_lens_sample *order,
-                       struct cupola_lens_sample *sample, const char **problem)
-{
-    char part[64];
-    const char *comma = strchr(line, ',');
-    double angle_deg;
-
-    *problem = "allowed: angle_deg,radius, two numbers";
-    if (!comma || (size_t)(comma - line) >= sizeof part)
-        return false;
-    memcpy(part, line, (size_t)(comma - line));
-    part[comma - line] = 0;
-    if (!parse_number(part, &angle_deg) || !parse_number(comma + 1, &sample->radius))
-        return false;
-    *problem = "allowed: an angle of 0 to 180 and a radius of at least 0";
-    if (!(angle_deg >= 0 && angle_deg <= 180 && sample->radius >= 0))
-        return false;
-    sample->angle_rad = angle_deg * (3.14159265358979323846 / 180);
-    *problem = "allowed: angles and radii that grow from line to line";
-    return !order || (sample->angle_rad > order->angle_rad && sample->radius > order->radius);
-}
-
-/* Takes blanks and the line's end away, in place. */
-static char *without_blanks(char *line)
-{
-    char *to = line;
-
-    for (const char *from = line; *from; from++)
-        if (!strchr(" \t\r\n", *from))
-            *to++ = *from;
-    *to = 0;
-    return line;
-}
-
-bool lens_table_read(const char *path, struct cupola_lens *lens, char *message)
-{
-    char line[256];
-    int number = 0, count = 0;
-    const char *problem = NULL;
-    FILE *file = fopen(path, "r");
-
-    if (!file) {
-        snprintf(message, MESSAGE_SIZE, "%.400s: %s", path, strerror(errno));
-        return false;
-    }
-    while (!problem && fgets(line, sizeof line, file)) {
-        number++;
-        if (!strchr(line, '\n') && !feof(file)) {
-            problem = "the line is too long or holds a zero byte; allowed: angle_deg,radius";
-            break;
-        }
-        without_blanks(line);
-        if (!*line || *line == '#' || (count == 0 && strcmp(line, "angle_deg,radius") == 0))
-            continue;
-        if (count == CUPOLA_LENS_TABLE_MAX)
-            problem = "one line too many; allowed: 2 to 64 lines";
-        else if (table_line(line, count ? &lens->table[count - 1] : NULL, &lens->table[count],
-                            &problem))
-            count++, problem = NULL;
-    }
-    if (!problem && ferror(file))
-        problem = "the file cannot be read; allowed: text with lines angle_deg,radius";
-    else if (!problem && count < 2)
-        problem = "the table ends here; allowed: 2 to 64 lines angle_deg,radius";
-    fclose(file);
-    if (problem) {
-        snprintf(message, MESSAGE_SIZE, "%.400s:%d: %s", path, number, problem);
-        return false;
-    }
-    lens->table_count = count;
-    return true;
 }

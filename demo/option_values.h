@@ -11,8 +11,6 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include <cupola/lens.h>
-
 enum { MESSAGE_SIZE = 1536 };
 
 /* The place of an error: which option, and where its line goes (MESSAGE_SIZE bytes). */
@@ -26,6 +24,7 @@ struct number_range {
     double low;
     double high;
     bool above_low; /* low itself is not allowed */
+    bool degrees;   /* typed in degrees, kept in radians; the limits are in degrees */
 };
 
 bool value_number(const struct value_context *context, const char *text, struct number_range range,
@@ -33,9 +32,12 @@ bool value_number(const struct value_context *context, const char *text, struct 
 bool value_integer(const struct value_context *context, const char *text, int low, int high,
                    int *number);
 
-/* `count` numbers with commas between them; `shape` shows them in messages: "X,Y,Z". */
+/*
+ * `least` to `most` numbers (8 at most) with commas between them; those that are missing are 0.
+ * `shape` shows them in messages: "X,Y,Z".
+ */
 bool value_numbers(const struct value_context *context, const char *text, const char *shape,
-                   struct number_range range, int count, double *numbers);
+                   struct number_range range, int least, int most, double *numbers);
 
 /* "WxH", 1 to 32768 each. */
 bool value_size(const struct value_context *context, const char *text, int *width, int *height);
@@ -50,10 +52,7 @@ void value_name_list(const char *(*name_of)(int index), char *list, size_t list_
 /* A plain number that is all of the text; false for anything else, NaN and infinity, too. */
 bool parse_number(const char *text, double *number);
 
-/*
- * A measured lens: lines "angle_deg,radius", with or without a line that says just this in front.
- * Empty lines and lines that begin with # are passed over.
- */
-bool lens_table_read(const char *path, struct cupola_lens *lens, char *message);
+/* The one conversion of what was typed in degrees. The text must be one for parse_number. */
+double angle_rad(const char *text_deg);
 
 #endif

@@ -9,6 +9,7 @@
 #include <cupola/rig.h>
 
 #include "option_list.h"
+#include "short_path.h"
 
 enum { BIG = 1000000 };
 
@@ -54,7 +55,8 @@ static bool output_path(const struct value_context *context, const char *text, c
         return true;
     }
     snprintf(context->message, MESSAGE_SIZE,
-             "%s: '%.400s' is not allowed; allowed: FILE.png or FILE.pfm", context->option, text);
+             "%s: '%s' is not allowed; allowed: FILE.png or FILE.pfm", context->option,
+             short_path(text).text);
     return false;
 }
 
@@ -72,7 +74,7 @@ static bool file_path(const struct value_context *context, const char *text, con
 static bool vector(const struct value_context *context, const char *text, double limit,
                    struct optional *optional)
 {
-    optional->given = value_numbers(context, text, "X,Y,Z", (struct number_range){-limit, limit, 0},
+    optional->given = value_numbers(context, text, "X,Y,Z", (struct number_range){-limit, limit}, 3,
                                     3, optional->value);
     return optional->given;
 }
@@ -87,11 +89,11 @@ static bool number(const struct value_context *context, const char *text, struct
 static bool circle(const struct value_context *context, const char *text, struct optional *optional)
 {
     if (!value_numbers(context, text, "CX,CY,R (pixels, R above 0)",
-                       (struct number_range){-BIG, BIG, 0}, 3, optional->value))
+                       (struct number_range){-BIG, BIG}, 3, 3, optional->value))
         return false;
     optional->given = true;
     return value_number(&(struct value_context){"--circle: R", context->message},
-                        strrchr(text, ',') + 1, (struct number_range){0, BIG, true},
+                        strrchr(text, ',') + 1, (struct number_range){0, BIG, .above_low = true},
                         &optional->value[2]);
 }
 
@@ -149,6 +151,8 @@ static bool take_scene(const struct value_context *c, int code, const char *text
     case OPTION_PREVIEW:
         return value_name(c, text, preview_name, &index) &&
                set_mode(c, index ? SHOW_PREVIEW_OUTSIDE : SHOW_PREVIEW_EYE, &o->mode);
+    case OPTION_SHOW_OUTPUT:
+        return value_integer(c, text, 0, CUPOLA_OUTPUTS_MAX - 1, &o->show_output);
     case OPTION_HEADLESS:
         return o->headless = true;
     case OPTION_FRAMES:
@@ -181,7 +185,7 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
     case OPTION_VIEWS:
         return view_count(c, text, &o->plan.views);
     case OPTION_DENSITY:
-        if (!value_number(c, text, (struct number_range){1.0 / 16, 16, false}, &wished))
+        if (!value_number(c, text, (struct number_range){1.0 / 16, 16}, &wished))
             return false;
         o->plan.density = wished;
         return true;
@@ -213,10 +217,10 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
     case OPTION_LENS:
         return value_name(c, text, cupola_lens_model_name, &o->lens);
     case OPTION_FOV:
-        return number(c, text, (struct number_range){0, 360, true}, &o->fov_deg);
+        return number(c, text, (struct number_range){0, 360, true, true}, &o->fov_rad);
     case OPTION_LENS_K:
-        o->lens_k.given = value_numbers(c, text, "K1,K3,K5,K7", (struct number_range){-BIG, BIG, 0},
-                                        4, o->lens_k.value);
+        o->lens_k.given = value_numbers(c, text, "K1,K3,K5,K7, 1 to 4 of them",
+                                        (struct number_range){-BIG, BIG}, 1, 4, o->lens_k.value);
         return o->lens_k.given;
     case OPTION_LENS_TABLE:
         return file_path(c, text, &o->lens_table);
@@ -230,19 +234,20 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
     case OPTION_CIRCLE:
         return circle(c, text, &o->circle_px);
     case OPTION_TILT:
-        return number(c, text, (struct number_range){-180, 180, false}, &o->tilt_deg);
+        return number(c, text, (struct number_range){-180, 180, false, true}, &o->tilt_rad);
     case OPTION_CAP:
-        return number(c, text, (struct number_range){0, 180, true}, &o->cap_deg);
+        return number(c, text, (struct number_range){0, 180, true, true}, &o->cap_rad);
     case OPTION_VIEWER:
         return vector(c, text, 1000, &o->viewer_m);
     case OPTION_PROJECTOR:
         return vector(c, text, 1000, &o->projector_m);
     case OPTION_PROJECTOR_AIM:
-        o->aim_deg.given = value_numbers(c, text, "YAW,PITCH,ROLL",
-                                         (struct number_range){-360, 360, 0}, 3, o->aim_deg.value);
-        return o->aim_deg.given;
+        o->aim_rad.given = value_numbers(c, text, "YAW,PITCH,ROLL",
+                                         (struct number_range){-360, 360, .degrees = true}, 3, 3,
+                                         o->aim_rad.value);
+        return o->aim_rad.given;
     default:
-        return number(c, text, (struct number_range){0, 1000, true}, &o->radius_m);
+        return number(c, text, (struct number_range){0, 1000, .above_low = true}, &o->radius_m);
     }
 }
 
@@ -308,9 +313,14 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
     int code, index = 0;
     const char *problem;
 
-    *options = (struct options){.lens = -1, .flip = -1, .monitor = -1, .swap_interval = -1};
+    *options = (struct options){
+        .lens = -1, .flip = -1, .show_output = -1, .monitor = -1, .swap_interval = -1};
     opterr = 0;
-    while ((code = getopt_long(argc, argv, ":", option_list, &index)) != -1) {
+    while ((code = getopt_long(argc, argv, ":h", option_list, &index)) != -1) {
+        if (code == 'h') {
+            options->help = true;
+            return STATUS_OK;
+        }
         if (code == '?' || code == ':') {
             unknown_option(argc, argv, code, message);
             return STATUS_USAGE;
@@ -321,9 +331,8 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
             return STATUS_OK;
     }
     if (argc - optind > 1) {
-        snprintf(message, MESSAGE_SIZE,
-                 "'%.200s' is a second MODEL after '%.200s'; allowed: one MODEL", argv[optind + 1],
-                 argv[optind]);
+        snprintf(message, MESSAGE_SIZE, "'%s' is a second MODEL after '%s'; allowed: one MODEL",
+                 short_path(argv[optind + 1]).text, short_path(argv[optind]).text);
         return STATUS_USAGE;
     }
     if (optind < argc)

@@ -1,6 +1,6 @@
 /*
- * The command line of cupola-demo. Angles are in degrees as they were typed; what was not given is
- * marked, so that a rig file or preset keeps its own value.
+ * The command line of cupola-demo. What was not given is marked, so that a rig file or preset keeps
+ * its own value.
  */
 #ifndef OPTIONS_H
 #define OPTIONS_H
@@ -45,23 +45,24 @@ struct options {
     const char *save_rig;
     const char *preset;
     int lens; /* -1: not given; else of enum cupola_lens_model */
-    struct optional fov_deg;
+    struct optional fov_rad;
     struct optional lens_k;
     const char *lens_table;
     int flip;      /* -1: not given; else of enum cupola_flip */
     int width_px;  /* 0: not given */
     int height_px; /* 0: not given */
     struct optional circle_px;
-    struct optional tilt_deg;
-    struct optional cap_deg;
+    struct optional tilt_rad;
+    struct optional cap_rad;
     struct optional viewer_m;
     struct optional projector_m;
-    struct optional aim_deg;
+    struct optional aim_rad;
     struct optional radius_m;
 
     struct cupola_plan_params plan;
     enum cupola_table table;
     enum show_mode mode;
+    int show_output; /* index; -1: not given */
 
     bool headless;
     int frames; /* 0: not given */
@@ -80,11 +81,17 @@ struct options {
 int options_parse(int argc, char **argv, struct options *options, char *message);
 
 /*
- * The rig that the options ask for: preset, then rig file, then the options themselves; complete
- * and possible. STATUS_OK, STATUS_USAGE where options contradict each other or the rig, or
- * STATUS_FAILED.
+ * The rig that the options ask for: preset, then rig file, then the options themselves, which
+ * change the output that is shown; complete and possible. STATUS_OK, STATUS_USAGE where options
+ * contradict each other or the rig, or STATUS_FAILED.
  */
 int options_rig(const struct options *options, struct cupola_rig *rig, char *message);
+
+/* The index of the output that is shown, and that the options change. */
+int options_output(const struct options *options);
+
+/* Says on stderr that only one of the rig's outputs is shown, unless the user chose it. */
+void options_notice(const struct options *options, const struct cupola_rig *rig);
 
 /* Whether a path ends in .pfm: a file of floats. */
 bool options_is_pfm(const char *path);

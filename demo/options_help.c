@@ -8,8 +8,8 @@
 static const char usage_text[] =
     "Usage: cupola-demo [OPTIONS] [MODEL]\n"
     "Draws a scene on a dome. MODEL is whatever assimp reads (OBJ, PLY, glTF, 3DS ...); without\n"
-    "one the room --scene cube is drawn. With a display it opens a window (F1 there names the\n"
-    "keys); with --output or --headless, or without a display, it writes a picture and ends:\n"
+    "one the room --scene cube is drawn. With a display it opens a window (H or F1 there names\n"
+    "the keys); with --output or --headless, or without a display, it writes a picture and ends:\n"
     "--output FILE, else dome.png (dome.pfm for a scene of numbers) in the current directory.\n";
 
 static const char scene_text[] =
@@ -31,8 +31,9 @@ static const char rig_text[] =
     "  --lens NAME            angular | hemispheric | equisolid | stereographic | polynomial | "
     "table\n"
     "  --fov DEG              full opening angle\n"
-    "  --lens-k K1,K3,K5,K7   of a polynomial lens, angles in radians\n"
-    "  --lens-table FILE.csv  of a table lens: lines angle_deg,radius\n"
+    "  --lens-k K1,K3,K5,K7   of a polynomial lens, angles in radians, 1 to 4 numbers;\n"
+    "                         implies --lens polynomial\n"
+    "  --lens-table FILE.csv  of a table lens: lines angle_deg,radius; implies --lens table\n"
     "  --flip x|y|xy          mirrors the picture\n"
     "  --size WxH             of the picture; without --circle, the circle scales along\n"
     "  --circle CX,CY,R       image circle in pixels, origin bottom left\n"
@@ -56,9 +57,14 @@ static const char plan_text[] =
 
 static const char show_text[] =
     "\nWhat is shown (one of them; default: the dome's image)\n"
-    "  --perspective          one plain perspective view of the same fov, up to 170 degrees\n"
+    "  --perspective          one plain perspective view; its fov, up to 170 degrees, spans the\n"
+    "                         diameter of the image circle, as the lens's does\n"
     "  --views-only           the views side by side instead of the warp\n"
-    "  --preview eye|outside  the simulated theatre\n"
+    "  --preview eye|outside  the simulated theatre, all outputs in it, seen from the viewer's "
+    "eye\n"
+    "                         (60 degrees from bottom to top) or from outside\n"
+    "  --show-output N        the rig's output that is shown and that options like --lens change;\n"
+    "                         default 0, the first\n"
     "\nWhere\n"
     "  --headless             no window\n"
     "  --frames N             draws N frames and ends\n"
@@ -71,7 +77,7 @@ static const char show_text[] =
     "  --monitor N            the window is on monitor N, 0 the first\n"
     "  --fullscreen           and fills it\n"
     "  --swap-interval N      of the window, 0 to 60; default 1\n"
-    "  --help, --version\n"
+    "  -h, --help, --version\n"
     "\nExit status: 0; 1 for failures; 2 for wrong options.\n";
 
 void options_print_help(void)

@@ -12,6 +12,7 @@
 #include <cupola/image_file.h>
 
 #include "options.h"
+#include "short_path.h"
 
 bool output_file_check(const char *option, const char *path, char *message)
 {
@@ -21,8 +22,8 @@ bool output_file_check(const char *option, const char *path, char *message)
     int problem = 0;
 
     if (stat(path, &file) == 0 && !S_ISREG(file.st_mode)) {
-        snprintf(message, MESSAGE_SIZE,
-                 "%s: %.400s is no plain file; allowed: a plain or a new one", option, path);
+        snprintf(message, MESSAGE_SIZE, "%s: %s is no plain file; allowed: a plain or a new one",
+                 option, short_path(path).text);
         return false;
     }
     directory = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
@@ -34,8 +35,8 @@ bool output_file_check(const char *option, const char *path, char *message)
         problem = ENOTDIR;
     free(directory);
     if (problem)
-        snprintf(message, MESSAGE_SIZE, "%s: %.400s cannot be written: %s", option, path,
-                 strerror(problem));
+        snprintf(message, MESSAGE_SIZE, "%s: %s cannot be written: %s", option,
+                 short_path(path).text, strerror(problem));
     return problem == 0;
 }
 
@@ -48,8 +49,8 @@ bool output_file_capture(const char *path, unsigned int framebuffer, int width, 
     int status;
 
     if (!rgba) {
-        snprintf(message, MESSAGE_SIZE, "%.400s: out of memory for %dx%d pixels", path, width,
-                 height);
+        snprintf(message, MESSAGE_SIZE, "%s: out of memory for %dx%d pixels", short_path(path).text,
+                 width, height);
         return false;
     }
     status = cupola_gl_capture(&target, width, height, rgba, &error);

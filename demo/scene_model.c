@@ -12,6 +12,7 @@
 #include "model.h"
 #include "program.h"
 #include "scene_matrix.h"
+#include "short_path.h"
 
 /* Towards the sun: over the left shoulder of someone who looks along -Z. */
 static const double sun[3] = {-0.48, 0.72, 0.50};
@@ -242,7 +243,7 @@ struct scene *scene_model_create(const char *path, bool flat, char *message, siz
         return NULL;
     struct model_scene *scene = calloc(1, sizeof *scene);
     if (!scene) {
-        snprintf(message, message_size, "%s: out of memory", path);
+        snprintf(message, message_size, "%s: out of memory", short_path(path).text);
         model_destroy(model);
         return NULL;
     }
@@ -257,7 +258,8 @@ struct scene *scene_model_create(const char *path, bool flat, char *message, siz
         continue;
     create_buffers(scene);
     if (!create_pictures(scene) || glGetError() != GL_NO_ERROR) {
-        snprintf(message, message_size, "%s: too large for the memory of this machine", path);
+        snprintf(message, message_size, "%s: too large for the memory of this machine",
+                 short_path(path).text);
         goto fail;
     }
     return &scene->scene;

@@ -129,8 +129,8 @@ void show_size(const struct show *show, int *width, int *height)
 {
     const struct cupola_plan_report *report = show_report(show);
 
-    *width = show->setup.rig.outputs[0].width_px;
-    *height = show->setup.rig.outputs[0].height_px;
+    *width = show->setup.rig.outputs[show->setup.output].width_px;
+    *height = show->setup.rig.outputs[show->setup.output].height_px;
     if (show->setup.mode == SHOW_VIEWS) {
         *width = report->atlas_width_px;
         *height = report->atlas_height_px;
@@ -147,39 +147,22 @@ const struct cupola_plan_report *show_report(const struct show *show)
     return show->plan ? cupola_plan_report(show->plan) : NULL;
 }
 
-/*
- * Tables and programs are made by the first warp, so that is timed together with the creation, and
- * the second one, which only warps, is taken off.
- */
 double show_time_tables_ms(const struct show *show)
 {
-    const struct cupola_output *output = &show->setup.rig.outputs[0];
     struct cupola_gl_params params = gl_params(&show->setup);
-    struct target target;
-    char message[MESSAGE_SIZE];
     cupola_gl *gl = NULL;
-    double start_ms, first_ms, time_ms = -1;
+    double start_ms, time_ms;
+    int status;
 
     if (!show->plan)
         return 0;
-    if (!target_create(&target, output->width_px, output->height_px, show->setup.floats, message,
-                       sizeof message))
-        return -1;
     glFinish();
     start_ms = now_ms();
-    if (cupola_gl_create(show->plan, &params, &gl, NULL) >= 0) {
-        struct cupola_target to = {.framebuffer = target.framebuffer};
-        int status = cupola_gl_warp(gl, 0, &to, NULL);
-        glFinish();
-        first_ms = now_ms();
-        if (status >= 0 && cupola_gl_warp(gl, 0, &to, NULL) >= 0) {
-            glFinish();
-            time_ms = fmax(first_ms - start_ms - (now_ms() - first_ms), 0);
-        }
-    }
+    status = cupola_gl_create(show->plan, &params, &gl, NULL);
+    glFinish();
+    time_ms = now_ms() - start_ms;
     cupola_gl_destroy(&gl);
-    target_destroy(&target);
-    return time_ms;
+    return status >= 0 ? time_ms : -1;
 }
 
 /* The eye in the frame of the host's camera (scene units), and in the world. */
@@ -223,7 +206,7 @@ static bool draw_views(struct show *show, const struct show_frame *frame, const 
 static void draw_perspective(struct show *show, const struct show_frame *frame,
                              const float host[16], const double eye[3], double n, double f)
 {
-    const struct cupola_output *output = &show->setup.rig.outputs[0];
+    const struct cupola_output *output = &show->setup.rig.outputs[show->setup.output];
     double per_px = tan(output->lens.fov_rad / 2) / output->circle.radius_px;
     double left = -output->circle.center_x_px * per_px;
     double bottom = -output->circle.center_y_px * per_px;
@@ -300,7 +283,7 @@ static void draw_views_only(struct show *show, const struct show_frame *frame)
 static bool warp(struct show *show, const struct show_frame *frame, struct cupola_error *error)
 {
     if (!is_preview(show->setup.mode))
-        return cupola_gl_warp(show->gl, 0,
+        return cupola_gl_warp(show->gl, show->setup.output,
                               &(struct cupola_target){.framebuffer = frame->framebuffer},
                               error) >= 0;
     for (int i = 0; i < cupola_dome_rig(show->dome)->output_count; i++) {

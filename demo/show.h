@@ -17,6 +17,7 @@ struct show_setup {
     struct cupola_plan_params plan;
     enum cupola_table table;
     enum show_mode mode;
+    int output;  /* index of the output that is shown where only one is */
     bool floats; /* views and images of 32-bit floats instead of 8 bits */
 };
 
@@ -62,7 +63,10 @@ const cupola_dome *show_dome(const struct show *show);
 /* NULL for a perspective view, which has no plan. */
 const struct cupola_plan_report *show_report(const struct show *show);
 
-/* Makes the GL objects once more and returns how long that took; below 0 if it failed. */
+/*
+ * Makes the GL objects of the plan once more, tables included, and returns how long that took until
+ * the GL had finished; below 0 if it failed, 0 where there is no plan.
+ */
 double show_time_tables_ms(const struct show *show);
 
 /* Of a clock that only goes forward. */

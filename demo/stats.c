@@ -9,6 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "short_path.h"
+
 enum { TABLE_RUNS = 4 };
 
 /* Numbers in the order in which they came. */
@@ -181,8 +183,8 @@ bool stats_write(struct stats *stats, const struct show *show, const char *rende
     return true;
 
 fail:
-    snprintf(message, MESSAGE_SIZE, "--stats: %.400s cannot be written: %s", stats->path,
-             strerror(errno));
+    snprintf(message, MESSAGE_SIZE, "--stats: %s cannot be written: %s",
+             short_path(stats->path).text, strerror(errno));
     return false;
 }
 
@@ -191,8 +193,8 @@ bool stats_keep(struct stats *stats, char *message)
     if (!stats->temporary)
         return true;
     if (rename(stats->temporary, stats->path) != 0) {
-        snprintf(message, MESSAGE_SIZE, "--stats: %.400s cannot be written: %s", stats->path,
-                 strerror(errno));
+        snprintf(message, MESSAGE_SIZE, "--stats: %s cannot be written: %s",
+                 short_path(stats->path).text, strerror(errno));
         return false;
     }
     free(stats->temporary);

@@ -8,6 +8,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "file_clash.h"
 #include "headless.h"
 #include "output_file.h"
 #include "stats.h"
@@ -45,6 +46,7 @@ static int create(struct still *still, const struct options *options,
         snprintf(message, MESSAGE_SIZE, "out of memory");
         return STATUS_FAILED;
     }
+    options_notice(options, &setup->rig);
     return STATUS_OK;
 }
 
@@ -113,16 +115,22 @@ static bool write_files(struct still *still, const struct options *options, cons
     return !still->stats || stats_keep(still->stats, message);
 }
 
+const char *still_default_path(const struct options *options)
+{
+    return !options->model && options->scene != SCENE_CUBE ? "dome.pfm" : "dome.png";
+}
+
 int still_run(const struct options *options, const struct show_setup *setup, char *message)
 {
     struct still still = {0};
     FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
     const char *path = options->output;
-    bool floats = !options->model && options->scene != SCENE_CUBE;
     int status;
 
     if (!path)
-        path = floats ? "dome.pfm" : "dome.png";
+        path = still_default_path(options);
+    if (!file_clash_check(options, path, message))
+        return STATUS_USAGE;
     if (!output_file_check("--output", path, message))
         return STATUS_FAILED;
     status = create(&still, options, setup, news, message);

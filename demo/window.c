@@ -28,7 +28,8 @@ bool window_change(struct window *window, const struct show_setup *setup)
     struct show_setup fitted = *setup;
     struct show *show = NULL;
 
-    if (cupola_output_resize(&fitted.rig.outputs[0], window->width, window->height, &error) < 0 ||
+    if (cupola_output_resize(&fitted.rig.outputs[setup->output], window->width, window->height,
+                             &error) < 0 ||
         cupola_rig_complete(&fitted.rig, &fitted.rig, &error) < 0)
         snprintf(message, sizeof message, "%s", error.message);
     else
@@ -114,7 +115,8 @@ static bool open_window(struct window *window, const struct options *options, ch
 
     if (!choose_monitor(options, &monitor, message))
         return false;
-    choose_size(options, &window->setup.rig.outputs[0], monitor, &width, &height);
+    choose_size(options, &window->setup.rig.outputs[window->setup.output], monitor, &width,
+                &height);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -168,7 +170,8 @@ static int create(struct window *window, const struct options *options, FILE *ne
         return STATUS_FAILED;
     }
     window_listen(window);
-    window_notice(window, "F1: help");
+    options_notice(options, &window->setup.rig);
+    window_notice(window, "H: help");
     return STATUS_OK;
 }
 
@@ -274,7 +277,7 @@ static bool has_display(char *message)
 
 int window_run(const struct options *options, const struct show_setup *setup, char *message)
 {
-    const struct cupola_lens *lens = &setup->rig.outputs[0].lens;
+    const struct cupola_lens *lens = &setup->rig.outputs[setup->output].lens;
     FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
     struct stats *stats = options->stats ? stats_create(options->stats) : NULL;
     struct window *window;

@@ -10,7 +10,7 @@ static const double RADIANS_PER_PX = 0.004;
 static void next_lens(struct window *window)
 {
     struct show_setup wished = window->setup;
-    struct cupola_lens *lens = &wished.rig.outputs[0].lens;
+    struct cupola_lens *lens = &wished.rig.outputs[wished.output].lens;
     int model = window->tried_lens;
 
     /* A polynomial or a table cannot be invented: only the rig's own comes round again. */

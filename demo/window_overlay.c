@@ -80,7 +80,7 @@ static void draw_help(struct window *window)
 {
     char text[600];
     double scale = text_scale(window), keys_width, height;
-    const struct cupola_lens *lens = &window->setup.rig.outputs[0].lens;
+    const struct cupola_lens *lens = &window->setup.rig.outputs[window->setup.output].lens;
     const struct cupola_plan_report *report = show_report(window->show);
     size_t used = (size_t)snprintf(
         text, sizeof text, "%s, lens %s %.4g degrees\n", mode_name(window->setup.mode),
@@ -115,7 +115,7 @@ static void draw_degree(struct window *window, double off_axis_deg, double round
     for (int i = 0; i < 3; i++)
         to_point[i] = to_point[i] * rig->screen.radius_m - rig->eye_m[i];
     cupola_dome_to_camera(dome, to_point, direction);
-    if (cupola_dome_pixel(dome, 0, NULL, direction, pixel) != 1)
+    if (cupola_dome_pixel(dome, window->setup.output, NULL, direction, pixel) != 1)
         return;
     snprintf(text, sizeof text, "%g", degree);
     overlay_size(text, 1, &width, &height);

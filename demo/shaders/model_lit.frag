@@ -25,7 +25,9 @@ void main()
 
     vec3 to_eye = normalize(eye - surface_place);
     vec3 normal = normalize(surface_normal);
-    if (dot(normal, to_eye) < 0.0)
+    // The side on which the triangle is seen decides, not the normal: near the outline a smooth
+    // normal already turns away, and on it the light must not jump.
+    if (!gl_FrontFacing)
         normal = -normal;
     vec3 light = mix(vec3(0.25, 0.21, 0.18), vec3(0.40, 0.47, 0.56), 0.5 + 0.5 * normal.y);
     light += vec3(0.98, 0.88, 0.72) * max(dot(normal, sun), 0.0);

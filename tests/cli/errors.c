@@ -4,7 +4,9 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "check.h"
 #include "process.h"
@@ -100,7 +102,8 @@ static void a_vector_has_all_its_components(void **state)
         {"--viewer 1,2,3m", "--viewer: '1,2,3m'", "X,Y,Z"},
         {"--projector ,,", "--projector: ',,'", "X,Y,Z"},
         {"--projector-aim 1,2", "--projector-aim: '1,2'", "YAW,PITCH,ROLL"},
-        {"--lens-k 1,2,3", "--lens-k: '1,2,3'", "K1,K3,K5,K7"},
+        {"--lens-k 1,2,3,4,5", "--lens-k: '1,2,3,4,5'", "K1,K3,K5,K7, 1 to 4"},
+        {"--lens-k 1,", "--lens-k: '1,'", "K1,K3,K5,K7, 1 to 4"},
         {"--circle 1,2", "--circle: '1,2'", "CX,CY,R"},
         {"--circle 1,2,0", "--circle", "above 0"},
     };
@@ -133,9 +136,11 @@ static void options_that_contradict_each_other_are_refused(void **state)
         {"--scene cube a.obj", "--scene and a MODEL", "one of them"},
         {"--perspective --views-only", "--views-only", "one of"},
         {"--preview eye --perspective", "--perspective", "one of"},
-        {"--lens-k 1,0,0,0", "--lens-k", "--lens polynomial"},
         {"--lens angular --lens-k 1,0,0,0", "--lens-k", "--lens polynomial"},
         {"--lens polynomial", "--lens polynomial", "--lens-k"},
+        {"--lens-k 0,0", "--lens-k: all numbers are 0", "at least one"},
+        {"--show-output 1", "--show-output: 1", "0 to 0"},
+        {"--show-output 8", "--show-output: '8'", "0 to 7"},
         {"--lens table", "--lens table", "--lens-table"},
         {"--lens angular --lens-table x.csv", "--lens-table", "--lens table"},
         {"--perspective", "--perspective: a fov of 180", "up to 170"},
@@ -151,18 +156,54 @@ static void options_that_contradict_each_other_are_refused(void **state)
     CHECK_ALL(wrongs, USAGE);
 }
 
-static void an_impossible_rig_is_a_failure(void **state)
+static void a_file_has_one_purpose(void **state)
 {
     static const struct wrong wrongs[] = {
-        {"--headless --viewer 0,0,2", "eye", "inside"},
-        {"--headless --projector 0,1,0", "position", "inside"},
-        {"--headless --lens hemispheric --fov 200", "200", "180"},
-        {"--headless --lens stereographic --fov 360", "360", "360"},
-        {"--headless --lens polynomial --lens-k 1,-3,0,0", "polynomial", "increas"},
+        {"--headless --stats clash.obj clash.obj", "MODEL and --stats", "files of their own"},
+        {"--output x.png --stats ./clash.obj clash.obj", "./clash.obj", "files of their own"},
+        {"--output x.png --stats link.obj clash.obj", "link.obj", "files of their own"},
+        {"--headless --rig clash.rig --stats clash.rig", "--rig and --stats", "own"},
+        {"--lens-table clash.csv --save-rig clash.csv", "--lens-table and --save-rig", "own"},
+        {"--output clash.png --stats clash.png", "--stats and --output", "own"},
+        {"--save-rig clash.png --output ./clash.png", "--save-rig and --output", "own"},
+        {"--headless --save-rig clash --stats clash", "--save-rig and --stats", "own"},
+        {"--headless --save-rig clash --stats clash.bak", "--stats", "own"},
+        {"--headless --stats dome.png", "--stats and --output", "own"},
+    };
+
+    (void)state;
+    process_write_file("clash.obj", "v 0 0 -1\n");
+    process_write_file("clash.rig", "tilt_deg = 0;\n");
+    process_write_file("clash.csv", "0,0\n90,1\n");
+    assert_int_equal(link("clash.obj", "link.obj"), 0);
+    CHECK_ALL(wrongs, USAGE);
+    assert_true(process_file_is("clash.obj", "v 0 0 -1\n"));
+    assert_true(process_file_is("clash.rig", "tilt_deg = 0;\n"));
+    assert_true(process_file_is("clash.csv", "0,0\n90,1\n"));
+
+    /* The exception: a rig may be changed in place. */
+    process_run(&process, "--size 32x32 --output x.png --rig clash.rig --save-rig clash.rig", NULL);
+    assert_int_equal(process.status, 0);
+    assert_true(process_file_is("clash.rig.bak", "tilt_deg = 0;\n"));
+}
+
+static void an_impossible_rig_names_the_option_to_blame(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--headless --viewer 0,0,2", "--viewer: eye is (0, 0, 2) m", "inside"},
+        {"--headless --projector 0,1,0", "--projector: projector's position", "inside"},
+        {"--headless --rig eye.rig --radius 0.5", "--radius: eye is (0, 0, 0.8) m", "inside"},
+        {"--headless --circle -50,0,3", "--circle: image circle", "meets 0 to 1024"},
+        {"--headless --lens hemispheric --fov 200", "--fov: lens", "180"},
+        {"--headless --rig wide.rig --lens hemispheric", "--lens: lens", "180"},
+        {"--headless --lens stereographic --fov 360", "--fov: lens", "360"},
+        {"--headless --lens-k 1,-3 --viewer 0,0,0.5", "--lens-k: lens polynomial", "increas"},
         {"--headless --layout asymmetric", "asymmetric", "rotated"},
         {"--headless --views 1", "1", "rotated"},
     };
     (void)state;
+    process_write_file("eye.rig", "eye_m = [0.0, 0.0, 0.8];\n");
+    process_write_file("wide.rig", "outputs: ({lens: {fov_deg = 200.0;};});\n");
     CHECK_ALL(wrongs, FAILED);
 }
 
@@ -173,15 +214,20 @@ static void a_broken_file_is_named_with_its_line(void **state)
         {"--rig broken.rig", "broken.rig:2", ""},
         {"--rig unknown.rig", "unknown.rig:1", "moon"},
         {"--lens-table none.csv", "none.csv", "No such file"},
-        {"--lens-table header.csv", "header.csv:1", "allowed: 2 to 64 lines"},
-        {"--lens-table text.csv", "text.csv:2", "two numbers"},
-        {"--lens-table order.csv", "order.csv:4", "grow"},
-        {"--lens-table range.csv", "range.csv:3", "0 to 180"},
+        {"--lens-table header.csv", "header.csv:1: the table ends", "allowed: 2 to 64 lines"},
+        {"--lens-table text.csv", "text.csv:2: 'moon,1'", "two numbers"},
+        {"--lens-table order.csv", "order.csv:4: '5,0.2' after '10,0.1'", "grow"},
+        {"--lens-table range.csv", "range.csv:3: '190,1'", "0 to 180"},
+        {"--lens-table first.csv", "first.csv:1: '0,1'", "allowed: in the first line 0,0"},
+        {"--lens-table empty.obj", ": empty.obj: is empty", "allowed: 2 to 64 lines"},
+        {"--lens-table .", ": .: Is a directory", "allowed: a file"},
         {"--headless none.obj", "none.obj", "No such file"},
         {"--headless broken.obj", "broken.obj", ""},
         {"--headless header.ply", "header.ply", "end_header"},
         {"--headless face.ply", "face.ply", "broken"},
         {"--headless empty.obj", "empty.obj", ""},
+        {"--headless point.obj", "point.obj: has no triangle to draw", ""},
+        {"--headless --flat line.obj", "line.obj: has no triangle to draw", ""},
         {"--headless text.csv", "text.csv", ""},
         {"--headless .", ".", ""},
     };
@@ -201,6 +247,9 @@ static void a_broken_file_is_named_with_its_line(void **state)
                        "y\nproperty float z\nelement face 2\nproperty list uchar int "
                        "vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1");
     process_write_file("empty.obj", "");
+    process_write_file("first.csv", "0,1\n10,2\n");
+    process_write_file("point.obj", "v 0 0 -1\nv 0 0 -1\nv 0 0 -1\nf 1 2 3\n");
+    process_write_file("line.obj", "v 0.1 0.2 -1.3\nv 0.2 0.4 -2.6\nv 0.3 0.6 -3.9\nf 1 2 3\n");
     CHECK_ALL(wrongs, FAILED);
 }
 
@@ -218,6 +267,31 @@ static void an_unwritable_output_is_a_failure(void **state)
     (void)state;
     assert_int_equal(mkdir("folder.png", 0777), 0);
     CHECK_ALL(wrongs, FAILED);
+}
+
+static void a_long_path_leaves_room_for_the_reason(void **state)
+{
+    char command[1900] = "--headless ";
+    struct wrong wrong = {command, "...", "end.obj: File name too long"};
+
+    (void)state;
+    memset(command + strlen(command), 'a', 1700);
+    strcat(command, "end.obj");
+    check_wrong(&wrong, FAILED, NULL);
+}
+
+static void a_file_that_may_not_grow_is_a_failure(void **state)
+{
+    static const struct wrong wrong = {"--size 64x64 --output large.pfm", "large.pfm",
+                                       "File too large"};
+    struct rlimit before, small;
+
+    (void)state;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    small = (struct rlimit){4096, before.rlim_max};
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+    check_wrong(&wrong, FAILED, NULL);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
 }
 
 static void an_old_gl_is_named_with_what_is_needed(void **state)
@@ -255,6 +329,9 @@ static void help_and_version_are_no_errors(void **state)
     assert_int_equal(process.status, 0);
     assert_non_null(strstr(process.out, "--projector-aim YAW,PITCH,ROLL"));
     assert_string_equal(process.err, "");
+    process_run(&process, "-h", NULL);
+    assert_int_equal(process.status, 0);
+    assert_memory_equal(process.out, "Usage: ", 7);
     process_run(&process, "--version", NULL);
     assert_int_equal(process.status, 0);
     assert_non_null(strstr(process.out, "cupola-demo "));
@@ -268,9 +345,12 @@ int main(void)
         cmocka_unit_test(a_vector_has_all_its_components),
         cmocka_unit_test(an_unknown_name_is_answered_with_the_known_ones),
         cmocka_unit_test(options_that_contradict_each_other_are_refused),
-        cmocka_unit_test(an_impossible_rig_is_a_failure),
+        cmocka_unit_test(a_file_has_one_purpose),
+        cmocka_unit_test(an_impossible_rig_names_the_option_to_blame),
         cmocka_unit_test(a_broken_file_is_named_with_its_line),
         cmocka_unit_test(an_unwritable_output_is_a_failure),
+        cmocka_unit_test(a_long_path_leaves_room_for_the_reason),
+        cmocka_unit_test(a_file_that_may_not_grow_is_a_failure),
         cmocka_unit_test(an_old_gl_is_named_with_what_is_needed),
         cmocka_unit_test(a_failure_leaves_an_older_picture_alone),
         cmocka_unit_test(a_window_wish_without_a_display_is_a_failure),

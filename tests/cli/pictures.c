@@ -13,59 +13,21 @@
 #include <stb_image.h>
 
 #include "check.h"
-#include "process.h"
+#include "demo_picture.h"
 
 /* As a number of the language, for initialisers. */
 #define RADIANS (3.14159265358979323846 / 180)
-
-struct picture {
-    float *rgba; /* rows from the bottom up */
-    int width;
-    int height;
-};
 
 static struct process process;
 
 static void run(const char *command)
 {
-    process_run(&process, command, NULL);
-    if (process.status != 0 || process.err[0]) {
-        print_error("cupola-demo %s\nexit status %d: %s", command, process.status, process.err);
-        fail();
-    }
+    demo_run(&process, command);
 }
 
-/* Runs the demo with a float picture as its output. */
 static struct picture run_pfm(const char *command)
 {
-    char whole[2000];
-    struct picture picture = {0};
-    struct cupola_error error = {0};
-
-    snprintf(whole, sizeof whole, "--output x.pfm %s", command);
-    unlink("x.pfm");
-    run(whole);
-    if (cupola_pfm_read("x.pfm", &picture.rgba, &picture.width, &picture.height, &error) < 0) {
-        print_error("%s\n", error.message);
-        fail();
-    }
-    return picture;
-}
-
-static const float *pixel(const struct picture *picture, int x, int y)
-{
-    return picture->rgba + 4 * ((size_t)y * (size_t)picture->width + (size_t)x);
-}
-
-static double largest_difference(const struct picture *a, const struct picture *b)
-{
-    double largest = 0;
-
-    assert_int_equal(a->width, b->width);
-    assert_int_equal(a->height, b->height);
-    for (size_t i = 0; i < 4 * (size_t)a->width * (size_t)a->height; i++)
-        largest = fmax(largest, fabs((double)a->rgba[i] - (double)b->rgba[i]));
-    return largest;
+    return demo_run_pfm(&process, command);
 }
 
 static void without_a_display_it_writes_dome_png(void **state)
@@ -128,7 +90,7 @@ static double largest_angle_deg(const struct picture *picture, const struct cupo
     assert_int_equal(cupola_dome_create(rig, &dome, NULL), CUPOLA_OK);
     for (int y = 0; y < picture->height; y++) {
         for (int x = 0; x < picture->width; x++) {
-            const float *shown = pixel(picture, x, y);
+            const float *shown = picture_pixel(picture, x, y);
             struct cupola_ray ray;
             double cross[3], dot = 0;
             cupola_dome_ray(dome, 0, NULL, x + 0.5, y + 0.5, &ray);
@@ -219,7 +181,7 @@ static void a_preset_has_its_own_tilt_and_the_default_none(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct picture picture = run_pfm(cases[i].command);
-        check_near((double)pixel(&picture, 32, 32)[cases[i].axis], cases[i].sign, 1e-3);
+        check_near((double)picture_pixel(&picture, 32, 32)[cases[i].axis], cases[i].sign, 1e-3);
         cupola_image_free(&picture.rgba);
     }
 }
@@ -236,7 +198,7 @@ static void all_table_stages_give_the_same_picture(void **state)
         snprintf(command, sizeof command,
                  "--scene directions --size 96x96 --viewer 0.2,0.1,0.3 --table %s", stages[i]);
         picture = run_pfm(command);
-        check_at_most(largest_difference(&points, &picture), 1e-3);
+        check_at_most(picture_difference(&points, &picture), 1e-3);
         cupola_image_free(&picture.rgba);
     }
     cupola_image_free(&points.rgba);
@@ -250,18 +212,75 @@ static void a_saved_rig_gives_the_same_picture(void **state)
     struct picture third = run_pfm("--scene screen --rig saved.rig --viewer 0,0,0");
 
     (void)state;
-    check_at_most(largest_difference(&first, &second), 0);
+    check_at_most(picture_difference(&first, &second), 0);
     /* The point of the screen that a pixel lights does not depend on the eye. */
-    check_at_most(largest_difference(&first, &third), 1e-3);
+    check_at_most(picture_difference(&first, &third), 1e-3);
     cupola_image_free(&first.rgba);
     cupola_image_free(&second.rgba);
     cupola_image_free(&third.rgba);
 }
 
+static void check_saved(const char *command, const char *const *lines, int count)
+{
+    char text[16384], whole[400];
+    FILE *file;
+
+    snprintf(whole, sizeof whole, "--size 32x32 --output x.png --save-rig exact.rig %s", command);
+    run(whole);
+    file = fopen("exact.rig", "r");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    for (int i = 0; i < count; i++) {
+        if (strstr(text, lines[i]))
+            continue;
+        print_error("%s: '%s' is not in\n%s", command, lines[i], text);
+        fail();
+    }
+}
+
+static void numbers_reach_a_saved_rig_as_they_were_typed(void **state)
+{
+    static const char *const angles[] = {"fov_deg = 120.7;",  "cap_deg = 33.3;",
+                                         "tilt_deg = 12.1;",  "yaw_deg = 0.1;",
+                                         "pitch_deg = -7.7;", "roll_deg = 30.0;"};
+    static const char *const table[] = {"\"table\"", "fov_deg = 171.4;", "angle_deg = 30.0;",
+                                        "angle_deg = 85.7;"};
+    static const char *const polynomial[] = {"\"polynomial\"", "fov_deg = 180.0;",
+                                             "k = [1.0, -0.1, 0.0, 0.0];"};
+
+    (void)state;
+    process_write_file("exact.csv", "30,1\n60,2\n85.7,3\n");
+    check_saved("--fov 120.7 --cap 33.3 --tilt 12.1 --projector-aim 0.1,-7.7,30", angles, 6);
+    check_saved("--lens-table exact.csv", table, 4);
+    check_saved("--lens-k 1,-0.1", polynomial, 3);
+}
+
+static void of_several_outputs_the_chosen_one_is_shown(void **state)
+{
+    struct picture first, second, alone;
+
+    (void)state;
+    process_write_file("two.rig", "outputs: ({size_px = [64, 64];}, {size_px = [48, 48]; lens: "
+                                  "{fov_deg = 90.0;};});\n");
+    process_run(&process, "--scene directions --rig two.rig --output x.pfm", NULL);
+    assert_int_equal(process.status, 0);
+    assert_non_null(strstr(process.err, "output 0 of the rig's 2"));
+    first = run_pfm("--scene directions --rig two.rig --show-output 0");
+    second = run_pfm("--scene directions --rig two.rig --show-output 1 --fov 120");
+    alone = run_pfm("--scene directions --size 48x48 --fov 120");
+    assert_int_equal(first.width, 64);
+    check_at_most(picture_difference(&second, &alone), 2e-3);
+    cupola_image_free(&first.rgba);
+    cupola_image_free(&second.rgba);
+    cupola_image_free(&alone.rgba);
+    run("--size 32x32 --rig two.rig --preview outside --output x.png");
+}
+
 static void perspective_spans_the_field_of_view(void **state)
 {
     struct picture picture = run_pfm("--scene directions --perspective --fov 90 --size 80x60");
-    const float *middle = pixel(&picture, 40, 30), *side = pixel(&picture, 10, 30);
+    const float *middle = picture_pixel(&picture, 40, 30), *side = picture_pixel(&picture, 10, 30);
 
     (void)state;
     /* The image circle has a radius of 30 px, and 45 degrees are at its rim. */
@@ -292,30 +311,6 @@ static void every_other_mode_gives_a_picture(void **state)
         check_at_least(sum / (picture.width * picture.height), 0.02);
         cupola_image_free(&picture.rgba);
     }
-}
-
-/* A wall of pure red at x from -3 to 3, y from -3 to 3, z = -2. */
-static const char wall[] = "mtllib wall.mtl\nusemtl red\nv -3 -3 -2\nv 3 -3 -2\nv 3 3 -2\n"
-                           "v -3 3 -2\nf 1 2 3\nf 1 3 4\n";
-
-static void a_model_stands_where_its_coordinates_say(void **state)
-{
-    struct picture picture;
-
-    (void)state;
-    process_write_file("wall.obj", wall);
-    process_write_file("wall.mtl", "newmtl red\nKd 1 0 0\n");
-    picture = run_pfm("wall.obj --flat --camera 0,0,0 --size 100x100");
-    assert_string_equal(process.out, "");
-    /* The wall's right edge is atan(3 / 2) = 56.3 degrees off the axis: at 81.3 px. */
-    check_near((double)pixel(&picture, 79, 50)[0], 1, 1e-6);
-    check_near((double)pixel(&picture, 79, 50)[1], 0, 1e-6);
-    check_at_most((double)pixel(&picture, 83, 50)[0], 0.9);
-    cupola_image_free(&picture.rgba);
-
-    picture = run_pfm("wall.obj --flat --size 32x32");
-    assert_memory_equal(process.out, "camera ", 7);
-    cupola_image_free(&picture.rgba);
 }
 
 static void check_number(const char *json, const char *key, double low, double high)
@@ -385,9 +380,10 @@ int main(void)
         cmocka_unit_test(a_preset_has_its_own_tilt_and_the_default_none),
         cmocka_unit_test(all_table_stages_give_the_same_picture),
         cmocka_unit_test(a_saved_rig_gives_the_same_picture),
+        cmocka_unit_test(numbers_reach_a_saved_rig_as_they_were_typed),
+        cmocka_unit_test(of_several_outputs_the_chosen_one_is_shown),
         cmocka_unit_test(perspective_spans_the_field_of_view),
         cmocka_unit_test(every_other_mode_gives_a_picture),
-        cmocka_unit_test(a_model_stands_where_its_coordinates_say),
         cmocka_unit_test(statistics_are_one_json_object),
     };
     return cmocka_run_group_tests(pictures, process_enter_directory, process_leave_directory);

@@ -1,0 +1,50 @@
+/* Pictures that the demo writes, as numbers. */
+#include "demo_picture.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+#include <cupola/image_file.h>
+
+#include "check.h"
+
+void demo_run(struct process *process, const char *command)
+{
+    process_run(process, command, NULL);
+    if (process->status != 0 || process->err[0]) {
+        print_error("cupola-demo %s\nexit status %d: %s", command, process->status, process->err);
+        fail();
+    }
+}
+
+struct picture demo_run_pfm(struct process *process, const char *command)
+{
+    char whole[2000];
+    struct picture picture = {0};
+    struct cupola_error error = {0};
+
+    snprintf(whole, sizeof whole, "--output x.pfm %s", command);
+    unlink("x.pfm");
+    demo_run(process, whole);
+    if (cupola_pfm_read("x.pfm", &picture.rgba, &picture.width, &picture.height, &error) < 0) {
+        print_error("%s\n", error.message);
+        fail();
+    }
+    return picture;
+}
+
+const float *picture_pixel(const struct picture *picture, int x, int y)
+{
+    return picture->rgba + 4 * ((size_t)y * (size_t)picture->width + (size_t)x);
+}
+
+double picture_difference(const struct picture *a, const struct picture *b)
+{
+    double largest = 0;
+
+    assert_int_equal(a->width, b->width);
+    assert_int_equal(a->height, b->height);
+    for (size_t i = 0; i < 4 * (size_t)a->width * (size_t)a->height; i++)
+        largest = fmax(largest, fabs((double)a->rgba[i] - (double)b->rgba[i]));
+    return largest;
+}
