@@ -93,18 +93,18 @@ static int side_of(const char *word)
     return *word || side > IMAGE_SIDE_MAX_PX ? 0 : side;
 }
 
+/* Expects the C locale. */
 static bool scale_of(const char *word, double *scale)
 {
-    struct c_locale locale;
     char *end;
-    if (c_locale_enter(&locale) != 0)
-        return false;
     *scale = strtod(word, &end);
-    c_locale_leave(&locale);
     return !*end && isfinite(*scale) && *scale != 0;
 }
 
-/* "PF" or "Pf", width, height and scale with white space between, and one white space behind. */
+/*
+ * "PF" or "Pf", width, height and scale with white space between, and one white space behind.
+ * Expects the C locale.
+ */
 static int parse_header(const char *path, const char *text, struct pfm_header *header,
                         struct cupola_error *error)
 {
@@ -152,7 +152,12 @@ static int read_header(const char *path, FILE *file, struct pfm_header *header,
     text[length] = 0;
     if (ferror(file))
         return error_set(error, CUPOLA_ERROR_FILE, "%s: cannot be read", path);
-    return parse_header(path, text, header, error);
+    struct c_locale locale;
+    if (c_locale_enter(&locale) != 0)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "%s: out of memory", path);
+    int status = parse_header(path, text, header, error);
+    c_locale_leave(&locale);
+    return status;
 }
 
 static int read_pixels(const char *path, FILE *file, const struct pfm_header *header, float **rgba,

@@ -31,6 +31,7 @@ struct cupola_ray {
 /*
  * Makes a dome from a rig. The rig is copied.
  *
+ * rig      0 means the default in every member
  * dome     out: the new dome, to be given to cupola_dome_destroy; untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT for an impossible rig; CUPOLA_ERROR_MEMORY
@@ -49,8 +50,9 @@ CUPOLA_API int cupola_dome_create(const struct cupola_rig *rig, cupola_dome **do
 CUPOLA_API void cupola_dome_destroy(cupola_dome **dome);
 
 /*
- * The rig of a dome, complete. Lives as long as the dome.
+ * The rig of a dome.
  *
+ * returns  it, complete; lives as long as the dome; NULL without a dome
  * thread   any
  * since    0.1
  */
@@ -65,7 +67,8 @@ CUPOLA_API const struct cupola_rig *cupola_dome_rig(const cupola_dome *dome);
  *
  * output   index, 0 to the rig's output_count - 1
  * eye_m    dome frame, inside the sphere; NULL: the rig's eye
- * x_px     continuous image coordinates, origin bottom left: a pixel's centre is at halves
+ * x_px, y_px
+ *          continuous image coordinates, origin bottom left: a pixel's centre is at halves
  * ray      out
  * returns  1: some of the pixel round this place is lit (coverage above 0); 0: none of it is, and
  *          the ray is that of the nearest place; CUPOLA_ERROR_ARGUMENT for an output that is not
@@ -96,6 +99,8 @@ CUPOLA_API int cupola_dome_pixel(const cupola_dome *dome, int output, const doub
  * Between the dome frame and the frame of the host's camera: R_x(tilt) and its inverse. For points,
  * metres on both sides.
  *
+ * dome_vector, camera_vector
+ *          the first is read and the second written, or the other way round; two different arrays
  * thread   any
  * since    0.1
  */

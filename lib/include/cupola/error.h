@@ -19,8 +19,9 @@
 extern "C" {
 #endif
 
+/* What a call that can fail returns. */
 enum cupola_status {
-    CUPOLA_OK = 0,
+    CUPOLA_OK = 0,              /* nothing failed; calls that count return more */
     CUPOLA_ERROR_ARGUMENT = -1, /* a value outside of what is allowed */
     CUPOLA_ERROR_MEMORY = -2,   /* out of memory, in the process or on the GPU */
     CUPOLA_ERROR_FILE = -3,     /* a file cannot be opened, read or written */
@@ -31,6 +32,7 @@ enum cupola_status {
     CUPOLA_ERROR_ORDER = -8,    /* a call at a moment when it makes no sense */
 };
 
+/* What failed, in words. */
 struct cupola_error {
     enum cupola_status status; /* CUPOLA_OK while nothing failed */
     char message[1024];        /* empty while nothing failed; cut off where it is longer */

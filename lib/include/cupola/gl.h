@@ -38,9 +38,9 @@ typedef struct cupola_gl cupola_gl;
 
 /* Of the views' colour; depth is always 32 bit float. */
 enum cupola_format {
-    CUPOLA_FORMAT_RGBA8 = 0,
-    CUPOLA_FORMAT_RGBA16F,
-    CUPOLA_FORMAT_RGBA32F,
+    CUPOLA_FORMAT_RGBA8 = 0, /* 0 to 1 in 255 steps */
+    CUPOLA_FORMAT_RGBA16F,   /* 11 significant bits, up to 65504 */
+    CUPOLA_FORMAT_RGBA32F,   /* single precision */
 };
 
 /* What is computed once instead of once per frame; the paper's section 3.3.1. */
@@ -52,10 +52,11 @@ enum cupola_table {
     CUPOLA_TABLE_COORDINATES, /* finished coordinates in the atlas */
 };
 
+/* How a plan is carried out. All zero is what most hosts want. */
 struct cupola_gl_params {
-    enum cupola_format format;
-    enum cupola_table table;
-    float border[4]; /* RGBA of pixels that are not lit; all zero: transparent black */
+    enum cupola_format format; /* 0: RGBA8 */
+    enum cupola_table table;   /* 0: points */
+    float border[4];           /* RGBA of pixels that are not lit; all zero: transparent black */
 };
 
 /*
@@ -87,6 +88,7 @@ CUPOLA_API int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_
  */
 CUPOLA_API void cupola_gl_destroy(cupola_gl **gl);
 
+/* What all views of a frame have in common. */
 struct cupola_frame {
     double near_distance; /* along each view's axis, scene units, above 0; 0: 0.1 */
     double far_distance;  /* the same, finite and beyond near; 0: 1000 */
@@ -107,10 +109,11 @@ struct cupola_frame {
 CUPOLA_API int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
                                      struct cupola_error *error);
 
+/* One view to draw into. */
 struct cupola_gl_view {
-    unsigned int framebuffer; /* already bound for drawing and reading */
-    struct cupola_rect rect;  /* its viewport and scissor rectangle, already set */
-    struct cupola_camera camera;
+    unsigned int framebuffer;    /* already bound for drawing and reading */
+    struct cupola_rect rect;     /* its viewport and scissor rectangle, already set */
+    struct cupola_camera camera; /* its matrices and frustum planes */
 };
 
 /*
@@ -151,7 +154,7 @@ CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
 struct cupola_target {
     unsigned int framebuffer; /* 0: the default framebuffer */
     int x;                    /* lower left corner of the output's image in it, px */
-    int y;
+    int y;                    /* the same, from the bottom */
 };
 
 /*
@@ -209,7 +212,8 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
  * Reads a rectangle of a framebuffer: the capture of a target.
  *
  * target   framebuffer, of which the read buffer is read, and lower left corner; NULL: all zero
- * width    px, 1 to 32768, as height; pixels outside of the framebuffer are undefined
+ * width, height
+ *          px, 1 to 32768 each; pixels outside of the framebuffer are undefined
  * rgba     out: 4 width height floats, rows from the bottom up, as GL converts them; untouched on
  *          failure
  * error    may be NULL
@@ -225,13 +229,23 @@ CUPOLA_API int cupola_gl_capture(const struct cupola_target *target, int width, 
                                  float *rgba, struct cupola_error *error);
 
 /*
- * The name of a table stage as on command lines, and the way back (CUPOLA_ERROR_ARGUMENT if there
- * is none, or for NULL); the name is NULL for a number that is no stage.
+ * The name of a table stage as on command lines.
  *
+ * table    of enum cupola_table
+ * returns  a static string; NULL for a number that is no stage
  * thread   any
  * since    0.1
  */
 CUPOLA_API const char *cupola_table_name(int table);
+
+/*
+ * The way back from the name of a table stage.
+ *
+ * name     as cupola_table_name gives it
+ * returns  of enum cupola_table; CUPOLA_ERROR_ARGUMENT if there is none, or for NULL
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API int cupola_table_find(const char *name);
 
 #ifdef __cplusplus

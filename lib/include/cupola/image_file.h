@@ -20,7 +20,8 @@ extern "C" {
  *
  * path     of a regular file, or of one that is not there yet
  * rgba     4 width height floats
- * width    px, 1 to 32768, as height; (3 width + 1) height is at most 900 million
+ * width, height
+ *          px, 1 to 32768 each; (3 width + 1) height is at most 900 million
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if path is NULL or empty, rgba is NULL, or the size is not as said
@@ -38,7 +39,8 @@ CUPOLA_API int cupola_png_write(const char *path, const float *rgba, int width, 
  *
  * path     of a regular file, or of one that is not there yet
  * rgba     4 width height floats
- * width    px, 1 to 32768, as height
+ * width, height
+ *          px, 1 to 32768 each
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if path is NULL or empty, rgba is NULL, or the size is not as said
@@ -54,8 +56,10 @@ CUPOLA_API int cupola_pfm_write(const char *path, const float *rgba, int width, 
  * Reads a PFM: colour ("PF") or grey ("Pf", the value goes to all three channels), of either byte
  * order; alpha becomes 1. Of the scale in the header only the sign counts (the byte order).
  *
+ * path     of the file
  * rgba     out: allocated; to be given to cupola_image_free; untouched on failure
- * width    out, px, 1 to 32768, as height; untouched on failure
+ * width, height
+ *          out, px, 1 to 32768 each; untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if path is NULL or empty, or rgba, width or height is NULL
@@ -69,8 +73,9 @@ CUPOLA_API int cupola_pfm_read(const char *path, float **rgba, int *width, int *
                                struct cupola_error *error);
 
 /*
- * Frees an image and sets the pointer to NULL; NULL and a pointer that is NULL are allowed.
+ * Frees an image and sets the pointer to NULL.
  *
+ * rgba     the pointer's address; NULL and a pointer that is NULL are allowed
  * thread   any
  * since    0.1
  */

@@ -24,17 +24,19 @@
 extern "C" {
 #endif
 
+/* The curves above. */
 enum cupola_lens_model {
-    CUPOLA_LENS_ANGULAR = 0,
-    CUPOLA_LENS_HEMISPHERIC,
-    CUPOLA_LENS_EQUISOLID,
-    CUPOLA_LENS_STEREOGRAPHIC,
-    CUPOLA_LENS_POLYNOMIAL,
-    CUPOLA_LENS_TABLE,
+    CUPOLA_LENS_ANGULAR = 0,   /* equidistant */
+    CUPOLA_LENS_HEMISPHERIC,   /* orthographic */
+    CUPOLA_LENS_EQUISOLID,     /* equal areas */
+    CUPOLA_LENS_STEREOGRAPHIC, /* equal shapes */
+    CUPOLA_LENS_POLYNOMIAL,    /* by `k` */
+    CUPOLA_LENS_TABLE,         /* by `table` */
 };
 
-enum { CUPOLA_LENS_TABLE_MAX = 64 };
+enum { CUPOLA_LENS_TABLE_MAX = 64 /* samples in a table */ };
 
+/* One measurement of a lens. */
 struct cupola_lens_sample {
     double angle_rad; /* off the lens axis, 0 to pi */
     double radius;    /* in any unit: the curve is scaled to 1 at half of the field of view */
@@ -44,7 +46,7 @@ struct cupola_lens_sample {
  * A lens as a plain value. All zero is an angular lens of 180 degrees.
  */
 struct cupola_lens {
-    enum cupola_lens_model model;
+    enum cupola_lens_model model; /* 0: angular */
     /*
      * Full opening angle. 0: pi; for a table, twice its last angle. Above 0 and up to 2 pi
      * (angular, equisolid, polynomial), up to pi (hemispheric), below 2 pi (stereographic), up to
@@ -58,25 +60,35 @@ struct cupola_lens {
      * sample at an angle above 0 gets (0, 0) before it.
      */
     int table_count;
+    /* Table only: its first table_count samples. */
     struct cupola_lens_sample table[CUPOLA_LENS_TABLE_MAX];
 };
 
 /*
- * The name of a model as in rig files and on command lines, and the way back.
+ * The name of a model as in rig files and on command lines.
  *
- * cupola_lens_model_name returns NULL for a number that is no model, so that a loop over 0, 1, ...
- * ends there. cupola_lens_model_find returns the model, or CUPOLA_ERROR_ARGUMENT.
- *
+ * model    of enum cupola_lens_model
+ * returns  a static string; NULL for a number that is no model, so that a loop over 0, 1, ... ends
  * thread   any
  * since    0.1
  */
 CUPOLA_API const char *cupola_lens_model_name(int model);
+
+/*
+ * The way back from the name of a model.
+ *
+ * name     as cupola_lens_model_name gives it
+ * returns  of enum cupola_lens_model, or CUPOLA_ERROR_ARGUMENT
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API int cupola_lens_model_find(const char *name);
 
 /*
  * Whether a lens is possible: its field of view within its model's limits, its curve strictly
  * increasing from 0 to half of the field of view.
  *
+ * lens     0 means the default in every member
  * error    may be NULL
  * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT with the value and what is allowed
  * thread   any
@@ -87,6 +99,7 @@ CUPOLA_API int cupola_lens_validate(const struct cupola_lens *lens, struct cupol
 /*
  * The forward form, r(angle), and the inverse, angle(r).
  *
+ * lens       0 means the default in every member
  * angle_rad  0 to h; beyond, the rim's value is returned
  * radius     0 to 1; beyond, the rim's value is returned
  * returns    the image radius (0 to 1), the angle in radians (0 to h); NaN if the lens is not valid

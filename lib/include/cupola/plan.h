@@ -26,17 +26,18 @@ extern "C" {
 
 typedef struct cupola_plan cupola_plan;
 
-enum { CUPOLA_VIEWS_MAX = 8 };
+enum { CUPOLA_VIEWS_MAX = 8 /* views in a plan */ };
 
+/* How the views stand to each other, see above. */
 enum cupola_layout {
-    CUPOLA_LAYOUT_AUTO = 0, /* asymmetric where it reaches every ray, else rotated */
-    CUPOLA_LAYOUT_ASYMMETRIC,
-    CUPOLA_LAYOUT_ROTATED,
+    CUPOLA_LAYOUT_AUTO = 0,   /* asymmetric where it reaches every ray, else rotated */
+    CUPOLA_LAYOUT_ASYMMETRIC, /* one orientation */
+    CUPOLA_LAYOUT_ROTATED,    /* an orientation for each view */
 };
 
 /* What is wished of a plan. All zero is what most hosts want. */
 struct cupola_plan_params {
-    enum cupola_layout layout;
+    enum cupola_layout layout; /* 0: auto */
     /* 1 to 8. 0: by the paper, 2 where the eye sees up to 90 degrees, 3 up to 140, 4 beyond, and
      * more only where so few cannot reach every ray. */
     int views;
@@ -53,11 +54,12 @@ struct cupola_plan_params {
     int max_texture_px; /* largest side of the atlas, 64 to 32768; 0: 16384 */
 };
 
+/* A rectangle of pixels or texels. */
 struct cupola_rect {
-    int x;
-    int y;
-    int width;
-    int height;
+    int x;      /* of its left edge */
+    int y;      /* of its lower edge, from the bottom */
+    int width;  /* above 0 */
+    int height; /* above 0 */
 };
 
 /* One view of a plan. */
@@ -65,18 +67,20 @@ struct cupola_view {
     /* Rows: the view's right, up and backward axes in the host's camera frame, row-major; so a
      * camera-frame vector v is rotation v in the view's frame. */
     double rotation[9];
-    double selector[3]; /* host's camera frame; see above */
-    /* Base rectangle at distance 1, guard band included. */
-    double left, right, bottom, top;
+    double selector[3];      /* host's camera frame; see above */
+    double left;             /* of the base rectangle at distance 1, guard band included, as: */
+    double right;            /* above left */
+    double bottom;           /* lower edge */
+    double top;              /* above bottom */
     struct cupola_rect rect; /* its place in the atlas, texels, guard band included */
 };
 
 /* What a plan costs and why it is as it is. "Per pixel" is per pixel of the image circles. */
 struct cupola_plan_report {
-    enum cupola_layout layout; /* never AUTO */
-    int views;
-    int atlas_width_px;
-    int atlas_height_px;
+    enum cupola_layout layout;         /* never AUTO */
+    int views;                         /* their number, 1 to CUPOLA_VIEWS_MAX */
+    int atlas_width_px;                /* of the texture that holds every view */
+    int atlas_height_px;               /* the same */
     double pixels;                     /* lit pixels of all outputs, partial ones in part */
     double texels_allocated_per_pixel; /* of the whole atlas */
     double texels_shaded_per_pixel;    /* of the views, guard bands included */
@@ -112,15 +116,40 @@ CUPOLA_API int cupola_plan_create(const cupola_dome *dome, const struct cupola_p
 CUPOLA_API void cupola_plan_destroy(cupola_plan **plan);
 
 /*
- * The views of a plan: their number, one of them (NULL for an index outside), and the dome.
- * All live as long as the plan.
+ * The number of views of a plan.
  *
+ * returns  1 to CUPOLA_VIEWS_MAX
  * thread   any
  * since    0.1
  */
 CUPOLA_API int cupola_plan_view_count(const cupola_plan *plan);
+
+/*
+ * One view of a plan.
+ *
+ * index    0 to view count - 1
+ * returns  lives as long as the plan; NULL for an index outside
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API const struct cupola_view *cupola_plan_view(const cupola_plan *plan, int index);
+
+/*
+ * The dome that a plan was made for: a copy of the one it was made from.
+ *
+ * returns  lives as long as the plan
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API const cupola_dome *cupola_plan_dome(const cupola_plan *plan);
+
+/*
+ * What a plan costs and why it is as it is.
+ *
+ * returns  lives as long as the plan
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API const struct cupola_plan_report *cupola_plan_report(const cupola_plan *plan);
 
 /*
@@ -152,7 +181,7 @@ struct cupola_camera {
     /* Column-major. clip = projection view x, x in the host's camera frame in scene units; a host
      * appends its own camera matrix: projection view host. */
     float view[16];
-    float projection[16];
+    float projection[16]; /* column-major, GL's clip space: -1 at near, 1 at far */
     /* Left, right, bottom, top, near, far: a x + b y + c z + d >= 0 inside; (a, b, c) has unit
      * length; host's camera frame, scene units. */
     float planes[6][4];
@@ -161,6 +190,7 @@ struct cupola_camera {
 /*
  * Matrices and frustum planes of one view.
  *
+ * index      of the view
  * near_distance, far_distance
  *            distances along the view's axis, scene units, 0 < near < far, both finite. Rays at the
  *            corner of a wide view are up to six times as long as their depth.
@@ -174,13 +204,23 @@ CUPOLA_API int cupola_plan_camera(const cupola_plan *plan, int index, double nea
                                   struct cupola_error *error);
 
 /*
- * The name of a layout as on command lines, and the way back (CUPOLA_ERROR_ARGUMENT if there is
- * none); the name is NULL for a number that is no layout.
+ * The name of a layout as on command lines.
  *
+ * layout   of enum cupola_layout
+ * returns  a static string; NULL for a number that is no layout
  * thread   any
  * since    0.1
  */
 CUPOLA_API const char *cupola_layout_name(int layout);
+
+/*
+ * The way back from the name of a layout.
+ *
+ * name     as cupola_layout_name gives it
+ * returns  of enum cupola_layout, or CUPOLA_ERROR_ARGUMENT
+ * thread   any
+ * since    0.1
+ */
 CUPOLA_API int cupola_layout_find(const char *name);
 
 #ifdef __cplusplus

@@ -19,7 +19,7 @@
 extern "C" {
 #endif
 
-enum { CUPOLA_OUTPUTS_MAX = 8 };
+enum { CUPOLA_OUTPUTS_MAX = 8 /* projectors in a rig */ };
 
 /* The inside of a sphere round the origin of the dome frame, cut off at a cap round its axis. */
 struct cupola_screen {
@@ -29,9 +29,9 @@ struct cupola_screen {
 
 /* Where the lens lands in the frame buffer. It may reach beyond it ("truncated dome"). */
 struct cupola_circle {
-    double center_x_px;
-    double center_y_px;
-    double radius_px; /* 0: the largest circle that fits, in the middle; the centre is ignored.
+    double center_x_px; /* from -1e7 to 1e7 */
+    double center_y_px; /* from the bottom; from -1e7 to 1e7 */
+    double radius_px;   /* 0: the largest circle that fits, in the middle; the centre is ignored.
                        * Else above 0 and up to 1e6; the circle must meet the frame buffer. */
 };
 
@@ -41,36 +41,37 @@ struct cupola_circle {
  * axis. Each from -2 pi to 2 pi.
  */
 struct cupola_aim {
-    double yaw_rad;
-    double pitch_rad;
-    double roll_rad;
+    double yaw_rad;   /* to the left */
+    double pitch_rad; /* up */
+    double roll_rad;  /* counter-clockwise */
 };
 
 /* Mirrors the picture about the centre of the image circle, for rear projection; combine with |. */
 enum cupola_flip {
-    CUPOLA_FLIP_NONE = 0,
-    CUPOLA_FLIP_X = 1, /* left and right change places */
-    CUPOLA_FLIP_Y = 2, /* top and bottom change places */
+    CUPOLA_FLIP_NONE = 0, /* as it is */
+    CUPOLA_FLIP_X = 1,    /* left and right change places */
+    CUPOLA_FLIP_Y = 2,    /* top and bottom change places */
 };
 
 /* One projector. */
 struct cupola_output {
-    int width_px;  /* of the frame buffer, 1 to 32768; 0: 1024 */
-    int height_px; /* 1 to 32768; 0: 1024 */
-    struct cupola_circle circle;
-    int flip; /* of enum cupola_flip */
-    struct cupola_lens lens;
-    double position_m[3]; /* of the lens, dome frame; inside the screen sphere */
-    struct cupola_aim aim;
+    int width_px;                /* of the frame buffer, 1 to 32768; 0: 1024 */
+    int height_px;               /* of the frame buffer, 1 to 32768; 0: 1024 */
+    struct cupola_circle circle; /* the image circle; all 0: the largest, in the middle */
+    int flip;                    /* of enum cupola_flip */
+    struct cupola_lens lens;     /* all 0: angular, 180 degrees */
+    double position_m[3];        /* of the lens, dome frame; inside the screen sphere */
+    struct cupola_aim aim;       /* of the lens, in the dome frame */
 };
 
+/* A whole theatre. */
 struct cupola_rig {
-    struct cupola_screen screen;
-    double eye_m[3];        /* the viewer's eye, dome frame; inside the screen sphere */
+    struct cupola_screen screen; /* all 0: a sphere of 1 m without limit */
+    double eye_m[3];             /* the viewer's eye, dome frame; inside the screen sphere */
     double tilt_rad;        /* -pi to pi; 0: axis along the line of sight; pi/2: a planetarium */
     double units_per_metre; /* scene units in one metre, above 0 and up to 1e9; 0: 1 */
     int output_count;       /* 1 to CUPOLA_OUTPUTS_MAX; 0: 1 */
-    struct cupola_output outputs[CUPOLA_OUTPUTS_MAX];
+    struct cupola_output outputs[CUPOLA_OUTPUTS_MAX]; /* the first output_count of them count */
 };
 
 /*
@@ -83,6 +84,7 @@ struct cupola_rig {
  *   truncated-16x10  1920 x 1200, angular 180 degrees, circle (960, 600, 960): as wide as the
  *                    projector's image, cut off at top and bottom
  *
+ * name     one of the names above
  * rig      out: complete, defaults filled in
  * error    may be NULL
  * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT with the names that exist
@@ -93,8 +95,10 @@ CUPOLA_API int cupola_rig_preset(const char *name, struct cupola_rig *rig,
                                  struct cupola_error *error);
 
 /*
- * The names of the presets: index 0, 1, ... until it returns NULL.
+ * The names of the presets.
  *
+ * index    0, 1, ... until it returns NULL
+ * returns  a static string, or NULL where there are no more
  * thread   any
  * since    0.1
  */
@@ -119,6 +123,8 @@ CUPOLA_API int cupola_rig_complete(const struct cupola_rig *rig, struct cupola_r
  * smaller of the two ratios and the rest is divided evenly on both sides (letterbox).
  *
  * output   changed; a size or circle of 0 counts as its default
+ * width_px, height_px
+ *          the new size of its frame buffer, 1 to 32768
  * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT where a size is outside 1 to 32768
  * thread   any
  * since    0.1

@@ -46,6 +46,7 @@ CUPOLA_API int cupola_rig_parse(const char *text, const char *name, const struct
  * a lens's model does not use, k or table, is not written. A symbolic link stays one; devices,
  * pipes and directories are refused.
  *
+ * path     of the file
  * rig      checked first; an impossible rig is not written
  * returns  CUPOLA_OK; CUPOLA_ERROR_ARGUMENT; CUPOLA_ERROR_FILE; CUPOLA_ERROR_MEMORY
  * thread   any; two writers of one file: the last one wins, neither file is damaged

@@ -70,9 +70,12 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
 /*
  * Draws what the spectator sees.
  *
+ * spectator
+ *          who looks, and at what
  * images   names of GL_TEXTURE_2D, one per output of the rig, of the outputs' sizes; sampled
  *          bilinearly
- * width    of the rectangle drawn, px, 1 to 32768, as height
+ * width, height
+ *          of the rectangle drawn, px, 1 to 32768 each
  * target   its framebuffer, of which draw buffer 0 is drawn into, and lower left corner; NULL: all
  *          zero. None of the images may be attached to it
  * error    may be NULL

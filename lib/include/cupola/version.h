@@ -5,8 +5,11 @@
 #ifndef CUPOLA_VERSION_H
 #define CUPOLA_VERSION_H
 
+/* Grows with changes that break hosts. */
 #define CUPOLA_VERSION_MAJOR 0
+/* Grows with what is added. */
 #define CUPOLA_VERSION_MINOR 1
+/* Grows with what is mended. */
 #define CUPOLA_VERSION_PATCH 0
 
 #ifndef CUPOLA_API
