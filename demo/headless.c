@@ -11,7 +11,30 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEVICES_MAX = 64, VERSION_NEEDED = 33 };
+enum { DEVICES_MAX = 64 };
+
+/* What is asked for. */
+struct api {
+    EGLenum name;
+    EGLint renderable; /* of configs */
+    int version;       /* 10 major + minor, the least that will do */
+    const EGLint *wish;
+    const char *needed; /* in words, beginning with the API */
+};
+
+static const EGLint core_wish[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
+                                   3,
+                                   EGL_CONTEXT_MINOR_VERSION_KHR,
+                                   3,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
+                                   EGL_NONE};
+static const EGLint es_wish[] = {EGL_CONTEXT_CLIENT_VERSION, 3, EGL_NONE};
+
+static const struct api desktop_api = {EGL_OPENGL_API, EGL_OPENGL_BIT, 33, core_wish,
+                                       "OpenGL 3.3 core or newer"};
+static const struct api es_api = {EGL_OPENGL_ES_API, EGL_OPENGL_ES3_BIT_KHR, 30, es_wish,
+                                  "OpenGL ES 3.0 or newer"};
 
 /*
  * eglTerminate unloads Mesa's drivers, and a leak checker can then no longer tell their leaks from
@@ -36,6 +59,7 @@ static void end_display(EGLDisplay display)
 }
 
 struct headless {
+    const struct api *api;
     EGLDisplay display;
     EGLContext context;
 };
@@ -61,9 +85,9 @@ static const char *client_extensions(void)
 }
 
 /* EGL 1.4 demands a config unless the extension lets a context live without one. */
-static EGLConfig config_for(EGLDisplay display, const char *extensions)
+static EGLConfig config_for(EGLDisplay display, const char *extensions, EGLint renderable)
 {
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, renderable, EGL_SURFACE_TYPE, 0, EGL_NONE};
     EGLConfig config = NULL;
     EGLint count = 0;
 
@@ -76,38 +100,32 @@ static EGLConfig config_for(EGLDisplay display, const char *extensions)
 }
 
 /*
- * Makes a core context current on an initialised display. `version` is that of the best context
- * that was found, also where it is too old: 10 major + minor, or untouched.
+ * Makes a context current on an initialised display. `version` is that of the best context that was
+ * found, also where it is too old: 10 major + minor, or untouched.
  */
-static bool make_context(EGLDisplay display, EGLContext *context, int *version)
+static bool make_context(struct headless *headless, EGLDisplay display, int *version)
 {
-    const EGLint core[] = {EGL_CONTEXT_MAJOR_VERSION_KHR,
-                           3,
-                           EGL_CONTEXT_MINOR_VERSION_KHR,
-                           3,
-                           EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
-                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
-                           EGL_NONE};
     const EGLint any[] = {EGL_NONE};
-    const EGLint *const wishes[] = {core, any};
+    const struct api *api = headless->api;
+    const EGLint *const wishes[] = {api->wish, any};
     const char *extensions = eglQueryString(display, EGL_EXTENSIONS);
 
     if (!extensions || !has_word(extensions, "EGL_KHR_surfaceless_context"))
         return false;
-    if (!eglBindAPI(EGL_OPENGL_API))
+    if (!eglBindAPI(api->name))
         return false;
     /* The second wish is there to learn, for the message, which version an old driver has. */
     for (int i = 0; i < 2; i++) {
-        EGLContext made =
-            eglCreateContext(display, config_for(display, extensions), EGL_NO_CONTEXT, wishes[i]);
+        EGLContext made = eglCreateContext(
+            display, config_for(display, extensions, api->renderable), EGL_NO_CONTEXT, wishes[i]);
         if (made == EGL_NO_CONTEXT)
             continue;
         if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, made)) {
             int found = epoxy_gl_version();
             if (found > *version)
                 *version = found;
-            if (i == 0 && found >= VERSION_NEEDED) {
-                *context = made;
+            if (i == 0 && found >= api->version) {
+                headless->context = made;
                 return true;
             }
             eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -121,7 +139,7 @@ static bool try_display(struct headless *headless, EGLDisplay display, int *vers
 {
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL))
         return false;
-    if (make_context(display, &headless->context, version)) {
+    if (make_context(headless, display, version)) {
         headless->display = display;
         return true;
     }
@@ -168,7 +186,7 @@ static bool try_surfaceless(struct headless *headless, int *version)
         version);
 }
 
-struct headless *headless_create(char *message, size_t message_size)
+static struct headless *create(const struct api *api, char *message, size_t message_size)
 {
     int version = 0;
     struct headless *headless = calloc(1, sizeof *headless);
@@ -177,18 +195,30 @@ struct headless *headless_create(char *message, size_t message_size)
         snprintf(message, message_size, "out of memory");
         return NULL;
     }
+    headless->api = api;
     if (try_devices(headless, false, &version) || try_surfaceless(headless, &version) ||
         try_devices(headless, true, &version))
         return headless;
     if (version > 0)
-        snprintf(message, message_size, "the OpenGL found is %d.%d%s; needed: 3.3 core or newer",
-                 version / 10, version % 10, version >= VERSION_NEEDED ? " without core" : "");
+        snprintf(message, message_size, "the OpenGL%s found is %d.%d%s; needed: %s",
+                 api == &es_api ? " ES" : "", version / 10, version % 10,
+                 version >= api->version ? " without core" : "", api->needed);
     else
         snprintf(message, message_size,
-                 "no EGL device and no surfaceless EGL gives an OpenGL context; needed: OpenGL 3.3 "
-                 "core or newer");
+                 "no EGL device and no surfaceless EGL gives an OpenGL%s context; needed: %s",
+                 api == &es_api ? " ES" : "", api->needed);
     free(headless);
     return NULL;
+}
+
+struct headless *headless_create(char *message, size_t message_size)
+{
+    return create(&desktop_api, message, message_size);
+}
+
+struct headless *headless_create_es(char *message, size_t message_size)
+{
+    return create(&es_api, message, message_size);
 }
 
 void headless_destroy(struct headless *headless)

@@ -14,6 +14,9 @@ struct headless;
  */
 struct headless *headless_create(char *message, size_t message_size);
 
+/* The same of OpenGL ES 3.0 (or newer). A process can have one kind only: the GL is found once. */
+struct headless *headless_create_es(char *message, size_t message_size);
+
 /* Destroys it; NULL is allowed. */
 void headless_destroy(struct headless *headless);
 

@@ -3,40 +3,56 @@
 
 enum { NEVER = 1000 }; /* not part of any version */
 
-/* Capabilities, the version or extension that brought them and what Cupola needs. */
+/* Where something is: versions that have it and extensions that bring it, of either API. */
+struct origin {
+    int gl;
+    const char *gl_extension;
+    int es;
+    const char *es_extension;
+};
+
+#define EVERYWHERE                                                                                 \
+    {                                                                                              \
+        33, NULL, 30, NULL                                                                         \
+    }
+#define DESKTOP(es_extension)                                                                      \
+    {                                                                                              \
+        33, NULL, NEVER, es_extension                                                              \
+    }
+
+/* Capabilities and what Cupola needs. */
 static const struct {
     GLenum name;
-    int version;
-    const char *extension;
+    struct origin origin;
     GLboolean wanted;
 } capabilities[] = {
-    {GL_DEPTH_TEST, 33, NULL, GL_FALSE},
-    {GL_STENCIL_TEST, 33, NULL, GL_FALSE},
-    {GL_CULL_FACE, 33, NULL, GL_FALSE},
-    {GL_FRAMEBUFFER_SRGB, 33, NULL, GL_FALSE},
-    {GL_RASTERIZER_DISCARD, 33, NULL, GL_FALSE},
-    {GL_PRIMITIVE_RESTART, 33, NULL, GL_FALSE},
-    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, "GL_ARB_ES3_compatibility", GL_FALSE},
-    {GL_COLOR_LOGIC_OP, 33, NULL, GL_FALSE},
-    {GL_POLYGON_OFFSET_FILL, 33, NULL, GL_FALSE},
-    {GL_POLYGON_SMOOTH, 33, NULL, GL_FALSE},
-    {GL_MULTISAMPLE, 33, NULL, GL_TRUE},
-    {GL_SAMPLE_ALPHA_TO_COVERAGE, 33, NULL, GL_FALSE},
-    {GL_SAMPLE_ALPHA_TO_ONE, 33, NULL, GL_FALSE},
-    {GL_SAMPLE_COVERAGE, 33, NULL, GL_FALSE},
-    {GL_SAMPLE_MASK, 33, NULL, GL_FALSE},
-    {GL_SAMPLE_SHADING, 40, "GL_ARB_sample_shading", GL_FALSE},
-    {GL_DEPTH_CLAMP, 33, NULL, GL_FALSE},
-    {GL_DEPTH_BOUNDS_TEST_EXT, NEVER, "GL_EXT_depth_bounds_test", GL_FALSE},
-    {GL_DITHER, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE0, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE1, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE2, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE3, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE4, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE5, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE6, 33, NULL, GL_FALSE},
-    {GL_CLIP_DISTANCE7, 33, NULL, GL_FALSE},
+    {GL_DEPTH_TEST, EVERYWHERE, GL_FALSE},
+    {GL_STENCIL_TEST, EVERYWHERE, GL_FALSE},
+    {GL_CULL_FACE, EVERYWHERE, GL_FALSE},
+    {GL_FRAMEBUFFER_SRGB, DESKTOP("GL_EXT_sRGB_write_control"), GL_FALSE},
+    {GL_RASTERIZER_DISCARD, EVERYWHERE, GL_FALSE},
+    {GL_PRIMITIVE_RESTART, DESKTOP(NULL), GL_FALSE},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, {43, "GL_ARB_ES3_compatibility", 30, NULL}, GL_FALSE},
+    {GL_COLOR_LOGIC_OP, DESKTOP(NULL), GL_FALSE},
+    {GL_POLYGON_OFFSET_FILL, EVERYWHERE, GL_FALSE},
+    {GL_POLYGON_SMOOTH, DESKTOP(NULL), GL_FALSE},
+    {GL_MULTISAMPLE, DESKTOP("GL_EXT_multisample_compatibility"), GL_TRUE},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, EVERYWHERE, GL_FALSE},
+    {GL_SAMPLE_ALPHA_TO_ONE, DESKTOP("GL_EXT_multisample_compatibility"), GL_FALSE},
+    {GL_SAMPLE_COVERAGE, EVERYWHERE, GL_FALSE},
+    {GL_SAMPLE_MASK, {33, NULL, 31, NULL}, GL_FALSE},
+    {GL_SAMPLE_SHADING, {40, "GL_ARB_sample_shading", 32, "GL_OES_sample_shading"}, GL_FALSE},
+    {GL_DEPTH_CLAMP, DESKTOP("GL_EXT_depth_clamp"), GL_FALSE},
+    {GL_DEPTH_BOUNDS_TEST_EXT, {NEVER, "GL_EXT_depth_bounds_test", NEVER, NULL}, GL_FALSE},
+    {GL_DITHER, EVERYWHERE, GL_FALSE},
+    {GL_CLIP_DISTANCE0, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE1, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE2, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE3, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE4, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE5, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE6, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
+    {GL_CLIP_DISTANCE7, DESKTOP("GL_EXT_clip_cull_distance"), GL_FALSE},
 };
 
 enum { CAPABILITY_COUNT = sizeof capabilities / sizeof capabilities[0] };
@@ -46,35 +62,59 @@ _Static_assert((int)CAPABILITY_COUNT <= (int)HOST_CAPABILITIES_MAX, "room for ev
 static const struct {
     GLenum name;
     GLint wanted;
+    bool desktop; /* not in OpenGL ES */
 } pixel_stores[HOST_PIXEL_STORES] = {
-    {GL_UNPACK_ALIGNMENT, 1},   {GL_UNPACK_ROW_LENGTH, 0}, {GL_UNPACK_SKIP_ROWS, 0},
-    {GL_UNPACK_SKIP_PIXELS, 0}, {GL_UNPACK_SWAP_BYTES, 0}, {GL_PACK_ALIGNMENT, 1},
-    {GL_PACK_ROW_LENGTH, 0},    {GL_PACK_SKIP_ROWS, 0},    {GL_PACK_SKIP_PIXELS, 0},
-    {GL_PACK_SWAP_BYTES, 0},
+    {GL_UNPACK_ALIGNMENT, 1, false}, {GL_UNPACK_ROW_LENGTH, 0, false},
+    {GL_UNPACK_SKIP_ROWS, 0, false}, {GL_UNPACK_SKIP_PIXELS, 0, false},
+    {GL_UNPACK_SWAP_BYTES, 0, true}, {GL_PACK_ALIGNMENT, 1, false},
+    {GL_PACK_ROW_LENGTH, 0, false},  {GL_PACK_SKIP_ROWS, 0, false},
+    {GL_PACK_SKIP_PIXELS, 0, false}, {GL_PACK_SWAP_BYTES, 0, true},
 };
 
 static const GLenum blend_equations[2] = {GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
 static const GLenum blend_factors[4] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                         GL_BLEND_DST_ALPHA};
 
-static bool has(int version, int since, const char *extension)
+static bool has(const struct host_features *features, struct origin origin)
 {
-    return version >= since || (extension && epoxy_has_gl_extension(extension));
+    int since = features->es ? origin.es : origin.gl;
+    const char *extension = features->es ? origin.es_extension : origin.gl_extension;
+    return epoxy_gl_version() >= since || (extension && epoxy_has_gl_extension(extension));
+}
+
+/* Some extensions of OpenGL ES come from two makers and do the same. */
+static bool has_either(const struct host_features *features, struct origin origin,
+                       const char *es_extension)
+{
+    return has(features, origin) || (features->es && epoxy_has_gl_extension(es_extension));
 }
 
 void host_features_find(struct host_features *features)
 {
-    int version = epoxy_gl_version();
-    features->viewport_array = has(version, 41, "GL_ARB_viewport_array");
-    features->clip_control = has(version, 45, "GL_ARB_clip_control");
-    features->blend_per_buffer = has(version, 40, "GL_ARB_draw_buffers_blend");
-    features->transform_feedback = has(version, 40, "GL_ARB_transform_feedback2");
+    const struct origin blending = {40, "GL_ARB_draw_buffers_blend", 32,
+                                    "GL_OES_draw_buffers_indexed"};
+    features->es = !epoxy_is_desktop_gl();
+    features->viewport_array = has_either(
+        features, (struct origin){41, "GL_ARB_viewport_array", NEVER, "GL_OES_viewport_array"},
+        "GL_NV_viewport_array");
+    features->clip_control =
+        has(features, (struct origin){45, "GL_ARB_clip_control", NEVER, "GL_EXT_clip_control"});
+    features->blend_per_buffer = has_either(features, blending, "GL_EXT_draw_buffers_indexed");
+    features->mask_per_buffer = !features->es || features->blend_per_buffer;
+    features->transform_feedback =
+        has(features, (struct origin){40, "GL_ARB_transform_feedback2", 30, NULL});
+    features->polygon_mode = has(features, (struct origin)DESKTOP("GL_NV_polygon_mode"));
+    features->float_targets =
+        has(features, (struct origin){33, NULL, 32, "GL_EXT_color_buffer_float"});
+    features->half_float_targets =
+        features->float_targets || epoxy_has_gl_extension("GL_EXT_color_buffer_half_float");
+    features->float_filter = has(features, (struct origin)DESKTOP("GL_OES_texture_float_linear"));
+    features->float_blend = has(features, (struct origin)DESKTOP("GL_EXT_float_blend"));
     glGetIntegerv(GL_MAX_DRAW_BUFFERS, &features->draw_buffers);
     if (features->draw_buffers > HOST_DRAW_BUFFERS_MAX)
         features->draw_buffers = HOST_DRAW_BUFFERS_MAX;
     for (int i = 0; i < CAPABILITY_COUNT; i++)
-        features->capabilities[i] =
-            has(version, capabilities[i].version, capabilities[i].extension);
+        features->capabilities[i] = has(features, capabilities[i].origin);
 }
 
 static void set_capability(GLenum name, GLboolean on)
@@ -134,6 +174,16 @@ void host_set_area(const struct host_features *features, GLint x, GLint y, GLsiz
     set_scissor(features, scissor, GL_TRUE);
 }
 
+static void set_blend(const struct host_features *features, GLboolean on)
+{
+    if (!features->mask_per_buffer)
+        set_capability(GL_BLEND, on);
+    else if (on)
+        glEnablei(GL_BLEND, 0);
+    else
+        glDisablei(GL_BLEND, 0);
+}
+
 static void set_blending(const struct host_features *features, const GLint equation[2],
                          const GLint factors[4])
 {
@@ -153,7 +203,7 @@ void host_set_adding(const struct host_features *features)
     const GLint equation[2] = {GL_FUNC_ADD, GL_FUNC_ADD};
     const GLint factors[4] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE};
     set_blending(features, equation, factors);
-    glEnablei(GL_BLEND, 0);
+    set_blend(features, GL_TRUE);
 }
 
 /* A running transform feedback would record our triangles and refuse our programs. */
@@ -172,10 +222,30 @@ static void pause_feedback(struct host_state *state)
 /* Our shaders have one output: what they would leave in further draw buffers is undefined. */
 static void save_color_masks(struct host_state *state)
 {
+    if (!state->features->mask_per_buffer) {
+        glGetIntegerv(GL_COLOR_WRITEMASK, state->color_masks[0]);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        return;
+    }
     for (int i = 0; i < state->features->draw_buffers; i++) {
         GLboolean written = i == 0;
-        glGetBooleani_v(GL_COLOR_WRITEMASK, (GLuint)i, state->color_masks[i]);
+        /* As integers: OpenGL ES 3.0 has no indexed question for truth values. */
+        glGetIntegeri_v(GL_COLOR_WRITEMASK, (GLuint)i, state->color_masks[i]);
         glColorMaski((GLuint)i, written, written, written, written);
+    }
+}
+
+static void restore_color_masks(const struct host_state *state)
+{
+    int buffers = state->features->mask_per_buffer ? state->features->draw_buffers : 1;
+    for (int i = 0; i < buffers; i++) {
+        GLboolean mask[4];
+        for (int channel = 0; channel < 4; channel++)
+            mask[channel] = state->color_masks[i][channel] != 0;
+        if (state->features->mask_per_buffer)
+            glColorMaski((GLuint)i, mask[0], mask[1], mask[2], mask[3]);
+        else
+            glColorMask(mask[0], mask[1], mask[2], mask[3]);
     }
 }
 
@@ -187,8 +257,8 @@ static void save_fixed_function(struct host_state *state)
         state->capabilities[i] = glIsEnabled(capabilities[i].name);
         set_capability(capabilities[i].name, capabilities[i].wanted);
     }
-    state->blend = glIsEnabledi(GL_BLEND, 0);
-    glDisablei(GL_BLEND, 0);
+    state->blend = glIsEnabled(GL_BLEND); /* of draw buffer 0 where there are several */
+    set_blend(state->features, GL_FALSE);
     for (int i = 0; i < 2; i++)
         glGetIntegerv(blend_equations[i], &state->blend_equation[i]);
     for (int i = 0; i < 4; i++)
@@ -196,8 +266,10 @@ static void save_fixed_function(struct host_state *state)
     save_color_masks(state);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
     glDepthMask(GL_TRUE);
-    glGetIntegerv(GL_POLYGON_MODE, state->polygon_mode);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (state->features->polygon_mode) {
+        glGetIntegerv(GL_POLYGON_MODE, state->polygon_mode);
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    }
     if (state->features->clip_control) {
         glGetIntegerv(GL_CLIP_ORIGIN, &state->clip_origin);
         glGetIntegerv(GL_CLIP_DEPTH_MODE, &state->clip_depth);
@@ -227,11 +299,15 @@ static void save_pixel_transfer(struct host_state *state)
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     for (int i = 0; i < HOST_PIXEL_STORES; i++) {
+        if (state->features->es && pixel_stores[i].desktop)
+            continue;
         glGetIntegerv(pixel_stores[i].name, &state->pixel_stores[i]);
         glPixelStorei(pixel_stores[i].name, pixel_stores[i].wanted);
     }
-    glGetIntegerv(GL_CLAMP_READ_COLOR, &state->clamp_read_color);
-    glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+    if (!state->features->es) {
+        glGetIntegerv(GL_CLAMP_READ_COLOR, &state->clamp_read_color);
+        glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+    }
 }
 
 void host_state_save(struct host_state *state, const struct host_features *features)
@@ -249,17 +325,12 @@ static void restore_fixed_function(const struct host_state *state)
     for (int i = 0; i < CAPABILITY_COUNT; i++)
         if (state->features->capabilities[i])
             set_capability(capabilities[i].name, state->capabilities[i]);
-    if (state->blend)
-        glEnablei(GL_BLEND, 0);
-    else
-        glDisablei(GL_BLEND, 0);
+    set_blend(state->features, state->blend);
     set_blending(state->features, state->blend_equation, state->blend_factors);
-    for (int i = 0; i < state->features->draw_buffers; i++) {
-        const GLboolean *mask = state->color_masks[i];
-        glColorMaski((GLuint)i, mask[0], mask[1], mask[2], mask[3]);
-    }
+    restore_color_masks(state);
     glDepthMask(state->depth_mask);
-    glPolygonMode(GL_FRONT_AND_BACK, (GLenum)state->polygon_mode[0]);
+    if (state->features->polygon_mode)
+        glPolygonMode(GL_FRONT_AND_BACK, (GLenum)state->polygon_mode[0]);
     if (state->features->clip_control)
         glClipControl((GLenum)state->clip_origin, (GLenum)state->clip_depth);
 }
@@ -284,10 +355,12 @@ static void restore_bindings(const struct host_state *state)
 static void restore_pixel_transfer(const struct host_state *state)
 {
     for (int i = 0; i < HOST_PIXEL_STORES; i++)
-        glPixelStorei(pixel_stores[i].name, state->pixel_stores[i]);
+        if (!state->features->es || !pixel_stores[i].desktop)
+            glPixelStorei(pixel_stores[i].name, state->pixel_stores[i]);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)state->unpack_buffer);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, (GLuint)state->pack_buffer);
-    glClampColor(GL_CLAMP_READ_COLOR, (GLenum)state->clamp_read_color);
+    if (!state->features->es)
+        glClampColor(GL_CLAMP_READ_COLOR, (GLenum)state->clamp_read_color);
 }
 
 void host_state_restore(const struct host_state *state)

@@ -15,12 +15,19 @@ enum {
     HOST_DRAW_BUFFERS_MAX = 16, /* as many as the GL has names for */
 };
 
-/* What a context has beyond OpenGL 3.3, by its version or by an extension. */
+/* What a context has, by its version or by an extension. */
 struct host_features {
+    bool es;                 /* OpenGL ES, not desktop OpenGL */
     bool viewport_array;     /* several viewports and scissor rectangles */
     bool clip_control;       /* origin and depth range of clip space */
+    bool mask_per_buffer;    /* colour mask and blending on or off for each draw buffer */
     bool blend_per_buffer;   /* blend functions for each draw buffer */
     bool transform_feedback; /* that can be paused */
+    bool polygon_mode;       /* lines or points for polygons */
+    bool float_targets;      /* drawing into RGBA32F, and into RGBA16F */
+    bool half_float_targets; /* drawing into RGBA16F */
+    bool float_filter;       /* bilinear filtering of RGBA32F */
+    bool float_blend;        /* blending in targets of 32 bit floats */
     int draw_buffers;
     bool capabilities[HOST_CAPABILITIES_MAX];
 };
@@ -41,7 +48,7 @@ struct host_state {
     GLboolean capabilities[HOST_CAPABILITIES_MAX];
     GLboolean blend;
     GLint blend_equation[2], blend_factors[4];
-    GLboolean color_masks[HOST_DRAW_BUFFERS_MAX][4];
+    GLint color_masks[HOST_DRAW_BUFFERS_MAX][4];
     GLboolean depth_mask;
     GLint polygon_mode[2];
     GLint clip_origin, clip_depth;

@@ -27,18 +27,16 @@ int cupola_table_find(const char *name)
 
 int context_check(struct cupola_error *error)
 {
+    static const char allowed[] = "OpenGL 3.3 or OpenGL ES 3.0, or newer";
     int version = epoxy_gl_version(); /* 0 without a context, where any GL call would abort */
     if (version == 0)
         return error_set(error, CUPOLA_ERROR_CONTEXT,
-                         "no GL context is current on this thread; allowed: OpenGL 3.3 or newer");
-    if (!epoxy_is_desktop_gl())
+                         "no GL context is current on this thread; allowed: %s", allowed);
+    bool es = !epoxy_is_desktop_gl();
+    if (version < (es ? 30 : 33))
         return error_set(error, CUPOLA_ERROR_CONTEXT,
-                         "the GL context is OpenGL ES %d.%d; allowed: OpenGL 3.3 or newer",
-                         version / 10, version % 10);
-    if (version < 33)
-        return error_set(error, CUPOLA_ERROR_CONTEXT,
-                         "the GL context is OpenGL %d.%d; allowed: OpenGL 3.3 or newer",
-                         version / 10, version % 10);
+                         "the GL context is OpenGL%s %d.%d; allowed: %s", es ? " ES" : "",
+                         version / 10, version % 10, allowed);
     return CUPOLA_OK;
 }
 
@@ -70,7 +68,7 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width_px, height_px, 0, GL_RGBA,
-                 GL_FLOAT, NULL);
+                 internal_format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT, NULL);
     GLenum failure = glGetError();
     if (failure == GL_NO_ERROR)
         return texture;

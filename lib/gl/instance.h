@@ -35,7 +35,7 @@ struct cupola_gl {
     struct host_target host_target; /* while a view is open */
 };
 
-/* An error unless a context of 3.3 or newer is current. */
+/* An error unless a context of OpenGL 3.3, OpenGL ES 3.0 or newer is current. */
 int context_check(struct cupola_error *error);
 
 /* In creation the error is never NULL. */
@@ -45,6 +45,13 @@ void views_destroy(cupola_gl *gl);
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
 void warp_pass_destroy(struct warp_pass *pass);
+
+/*
+ * A stage's table of one output by the C functions, for GLs that cannot draw into floats. 0 on
+ * failure.
+ */
+GLuint table_upload(const cupola_gl *gl, int output, enum cupola_table stage,
+                    struct cupola_error *error);
 
 /*
  * Binds a host's framebuffer for drawing and reading; CUPOLA_ERROR_GL, and no error left in the GL,

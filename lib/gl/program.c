@@ -53,10 +53,19 @@ static void describe_failure(GLuint object, bool program, const struct shader_fi
               text);
 }
 
+/* Full precision for all that is declared without one. */
+static const char version_es[] = "#version 300 es\n"
+                                 "precision highp float;\n"
+                                 "precision highp int;\n"
+                                 "precision highp sampler2D;\n"
+                                 "precision highp sampler2DArray;\n"
+                                 "precision highp samplerCube;\n";
+
 static GLuint compile(GLenum kind, const char *defines, const struct shader_file *files, int count,
                       struct cupola_error *error)
 {
-    const char *texts[2 * FILES_MAX + 2] = {"#version 330 core\n", defines};
+    const char *texts[2 * FILES_MAX + 2] = {
+        epoxy_is_desktop_gl() ? "#version 330 core\n" : version_es, defines};
     char lines[FILES_MAX][32];
     for (int i = 0; i < count; i++) {
         snprintf(lines[i], sizeof lines[i], "\n#line %d\n", (i + 1) * LINES_PER_FILE + 1);

@@ -276,6 +276,32 @@ static int check_images(const cupola_theatre *theatre, const unsigned int *image
     return CUPOLA_OK;
 }
 
+/* Whether draw buffer 0 of the framebuffer that is bound has channels of 32 bit floats. */
+static bool target_is_float32(void)
+{
+    GLint buffer = GL_NONE, type = GL_NONE, bits = 0;
+    glGetIntegerv(GL_DRAW_BUFFER0, &buffer);
+    if (buffer == GL_NONE || buffer == GL_BACK)
+        return false;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, (GLenum)buffer,
+                                          GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, (GLenum)buffer,
+                                          GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
+    return type == GL_FLOAT && bits == 32;
+}
+
+/* The images of projectors after the first are added by blending. */
+static int check_blending(const cupola_theatre *theatre, GLuint framebuffer,
+                          struct cupola_error *error)
+{
+    if (theatre->features.float_blend || theatre->dome.rig.output_count < 2 || !target_is_float32())
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_GL,
+                     "several projectors in a target of 32 bit floats (framebuffer %u) need "
+                     "GL_EXT_float_blend, which this OpenGL ES lacks; allowed: RGBA8 or RGBA16F",
+                     framebuffer);
+}
+
 int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
                         const struct cupola_spectator *spectator, int width, int height,
                         const struct cupola_target *target, struct cupola_error *error)
@@ -295,6 +321,8 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     if (status == CUPOLA_OK)
         status =
             target_check_sampled(place.framebuffer, images, theatre->dome.rig.output_count, error);
+    if (status == CUPOLA_OK)
+        status = check_blending(theatre, place.framebuffer, error);
     if (status == CUPOLA_OK)
         draw_outputs(theatre, images, spectator, width, height, place);
     host_state_restore(&state);

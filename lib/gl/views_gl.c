@@ -2,6 +2,24 @@
 #include "error.h"
 #include "instance.h"
 
+/* In OpenGL ES, drawing into floats and filtering them are extensions. */
+static int check_format(const cupola_gl *gl, struct cupola_error *error)
+{
+    const struct host_features *features = &gl->features;
+    if (gl->params.format == CUPOLA_FORMAT_RGBA16F && !features->half_float_targets)
+        return error_set(error, CUPOLA_ERROR_GL,
+                         "views of RGBA16F need GL_EXT_color_buffer_half_float or "
+                         "GL_EXT_color_buffer_float, which this OpenGL ES lacks; allowed: RGBA8");
+    if (gl->params.format == CUPOLA_FORMAT_RGBA32F &&
+        !(features->float_targets && features->float_filter))
+        return error_set(error, CUPOLA_ERROR_GL,
+                         "views of RGBA32F need %s, which this OpenGL ES lacks; allowed: %s",
+                         features->float_targets ? "GL_OES_texture_float_linear"
+                                                 : "GL_EXT_color_buffer_float",
+                         features->half_float_targets ? "RGBA8 or RGBA16F" : "RGBA8");
+    return CUPOLA_OK;
+}
+
 int views_create(cupola_gl *gl, struct cupola_error *error)
 {
     static const GLenum formats[] = {
@@ -9,6 +27,9 @@ int views_create(cupola_gl *gl, struct cupola_error *error)
         [CUPOLA_FORMAT_RGBA16F] = GL_RGBA16F,
         [CUPOLA_FORMAT_RGBA32F] = GL_RGBA32F,
     };
+    int status = check_format(gl, error);
+    if (status != CUPOLA_OK)
+        return status;
     int width = gl->plan.report.atlas_width_px, height = gl->plan.report.atlas_height_px;
     gl->atlas = texture_create(formats[gl->params.format], width, height, GL_LINEAR, error);
     if (!gl->atlas)

@@ -15,6 +15,8 @@ static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table st
         {"views.glsl", shader_views_glsl},
         {"table.frag", shader_table_frag},
     };
+    if (!gl->features.float_targets)
+        return table_upload(gl, output, stage, error);
     char defines[PROGRAM_DEFINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)stage, defines);
     GLuint program = program_create(defines, files, 4, error);

@@ -1,23 +1,30 @@
 /* A surfaceless GL context, the way cupola-demo makes its own. */
 #include "context.h"
 
-#include <epoxy/gl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "check.h"
 #include "headless.h"
 
 enum { EXIT_SKIPPED = 77 };
 
 static struct headless *headless;
 
+bool context_is_es(void)
+{
+    const char *api = getenv("CUPOLA_TEST_API");
+    return api && strcmp(api, "es") == 0;
+}
+
 void context_open(void)
 {
     /* A version in the message means that there was a context. */
-    static const char too_old[] = "the OpenGL found is";
+    static const char too_old[] = "the OpenGL";
     char message[256];
-    headless = headless_create(message, sizeof message);
+    headless = context_is_es() ? headless_create_es(message, sizeof message)
+                               : headless_create(message, sizeof message);
     if (!headless) {
         const char *required = getenv("CUPOLA_GPU_REQUIRED");
         int skipped = strncmp(message, too_old, sizeof too_old - 1) != 0 &&
@@ -25,8 +32,8 @@ void context_open(void)
         fprintf(stderr, "%s: %s\n", skipped ? "skipped" : "failed", message);
         exit(skipped ? EXIT_SKIPPED : EXIT_FAILURE);
     }
-    printf("renderer: %s, OpenGL %s\n", (const char *)glGetString(GL_RENDERER),
-           (const char *)glGetString(GL_VERSION));
+    printf("renderer: %s, %s%s\n", (const char *)glGetString(GL_RENDERER),
+           context_is_es() ? "" : "OpenGL ", (const char *)glGetString(GL_VERSION));
     fflush(stdout);
 }
 
@@ -34,4 +41,75 @@ void context_close(void)
 {
     headless_destroy(headless);
     headless = NULL;
+}
+
+bool context_has(int gl, const char *gl_extension, int es, const char *es_extension)
+{
+    const char *extension = context_is_es() ? es_extension : gl_extension;
+    return epoxy_gl_version() >= (context_is_es() ? es : gl) ||
+           (extension && epoxy_has_gl_extension(extension));
+}
+
+bool context_has_floats(void)
+{
+    return !context_is_es() || (epoxy_has_gl_extension("GL_EXT_color_buffer_float") &&
+                                epoxy_has_gl_extension("GL_OES_texture_float_linear"));
+}
+
+const char *context_shader_head(void)
+{
+    return context_is_es() ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                             "precision highp sampler2D;\n"
+                           : "#version 330 core\n";
+}
+
+GLuint context_compile(GLenum kind, const char *source)
+{
+    const char *const sources[2] = {context_shader_head(), source};
+    char log[1024] = "";
+    GLint compiled = GL_FALSE;
+    GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 2, sources, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    glGetShaderInfoLog(shader, sizeof log, NULL, log);
+    if (!compiled)
+        fail_msg("test shader: %s", log);
+    return shader;
+}
+
+void context_read_pixels(int width, int height, float *rgba)
+{
+    GLint buffer = GL_NONE, type = GL_FLOAT;
+    if (context_is_es()) {
+        glGetIntegerv(GL_READ_BUFFER, &buffer);
+        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, (GLenum)buffer,
+                                              GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    }
+    if (type == GL_FLOAT) {
+        glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, rgba);
+        return;
+    }
+    unsigned char *bytes = calloc(4 * (size_t)width, (size_t)height);
+    assert_non_null(bytes);
+    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes);
+    for (int i = 0; i < 4 * width * height; i++)
+        rgba[i] = (float)bytes[i] / 255.0f;
+    free(bytes);
+}
+
+void context_clear_depth(double depth)
+{
+    if (context_is_es())
+        glClearDepthf((GLfloat)depth);
+    else
+        glClearDepth(depth);
+}
+
+void context_depth_range(double near_depth, double far_depth)
+{
+    if (context_is_es())
+        glDepthRangef((GLfloat)near_depth, (GLfloat)far_depth);
+    else
+        glDepthRange(near_depth, far_depth);
 }

@@ -23,7 +23,6 @@ static const double displacement_most_px = 0.05; /* of the picture's pixels */
 static const double room_radii[3] = {2.2, 1.7, 2.6};
 
 static const char *const room_vertex =
-    "#version 330 core\n"
     "uniform mat4 projection, view;\n"
     "uniform vec3 half_size;\n"
     "out vec3 place;\n"
@@ -35,7 +34,6 @@ static const char *const room_vertex =
     "    gl_Position = projection * view * vec4(place, 1.0);\n"
     "}\n";
 static const char *const room_fragment =
-    "#version 330 core\n"
     "uniform float wave_number;\n"
     "in vec3 place;\n"
     "out vec4 color;\n"
@@ -53,24 +51,13 @@ struct picture {
     GLuint texture, framebuffer;
 };
 
-static GLuint compile(GLenum kind, const char *source)
-{
-    GLint compiled = GL_FALSE;
-    GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 1, &source, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    assert_true(compiled);
-    return shader;
-}
-
 static int setup(void **state)
 {
     GLuint shaders[2];
     (void)state;
     context_open();
-    shaders[0] = compile(GL_VERTEX_SHADER, room_vertex);
-    shaders[1] = compile(GL_FRAGMENT_SHADER, room_fragment);
+    shaders[0] = context_compile(GL_VERTEX_SHADER, room_vertex);
+    shaders[1] = context_compile(GL_FRAGMENT_SHADER, room_fragment);
     room_program = glCreateProgram();
     for (int i = 0; i < 2; i++) {
         glAttachShader(room_program, shaders[i]);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "context.h"
 #include "gl/instance.h"
 #include "paint_shaders.h"
 
@@ -80,18 +81,13 @@ GLuint fixture_table(const struct fixture *fixture, int output)
     return fixture->gl->passes[output].table;
 }
 
-static GLuint compile(GLenum kind, const char *source)
+GLuint fixture_table_by_cpu(const struct fixture *fixture, int output, enum cupola_table stage)
 {
-    char log[1024] = "";
-    GLint compiled = GL_FALSE;
-    GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 1, &source, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    glGetShaderInfoLog(shader, sizeof log, NULL, log);
-    if (!compiled)
-        fail_msg("test shader: %s", log);
-    return shader;
+    struct cupola_error error = {CUPOLA_OK, ""};
+    GLuint table = table_upload(fixture->gl, output, stage, &error);
+    if (!table)
+        fail_msg("%s", error.message);
+    return table;
 }
 
 static GLuint program_of(enum paint paint)
@@ -99,8 +95,8 @@ static GLuint program_of(enum paint paint)
     GLint linked = GL_FALSE;
     if (programs[paint])
         return programs[paint];
-    GLuint vertex = compile(GL_VERTEX_SHADER, shader_paint_vert);
-    GLuint fragment = compile(GL_FRAGMENT_SHADER, paint_sources[paint]);
+    GLuint vertex = context_compile(GL_VERTEX_SHADER, shader_paint_vert);
+    GLuint fragment = context_compile(GL_FRAGMENT_SHADER, paint_sources[paint]);
     GLuint program = glCreateProgram();
     glAttachShader(program, vertex);
     glAttachShader(program, fragment);
@@ -245,10 +241,12 @@ float *fixture_warp(const struct fixture *fixture, int output)
     const int corner[2] = {7, 3}; /* the image does not start at the target's corner */
     struct cupola_error error = {CUPOLA_OK, ""};
     GLuint texture = 0;
+    bool floats = context_has_floats();
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size->width_px + corner[0],
-                 size->height_px + corner[1], 0, GL_RGBA, GL_FLOAT, NULL);
+    glTexImage2D(GL_TEXTURE_2D, 0, floats ? GL_RGBA32F : GL_RGBA8, size->width_px + corner[0],
+                 size->height_px + corner[1], 0, GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
+                 NULL);
     struct cupola_target target = {target_of(texture), corner[0], corner[1]};
     if (cupola_gl_warp(fixture->gl, output, &target, &error) < 0)
         fail_msg("%s", error.message);

@@ -40,7 +40,10 @@ cupola_plan *fixture_wrong_plan(const struct fixture *fixture, const struct cupo
 /* Draws all views by nothing but what a host has: each view's matrices and viewport. */
 void fixture_paint(const struct fixture *fixture, enum paint paint);
 
-/* RGBA floats of one output's image, or of the whole atlas; freed by the caller. */
+/*
+ * RGBA floats of one output's image, or of the whole atlas; freed by the caller. A GL without float
+ * targets rounds them to bytes.
+ */
 float *fixture_warp(const struct fixture *fixture, int output);
 float *fixture_atlas(const struct fixture *fixture);
 /* Of any texture. */
@@ -48,6 +51,9 @@ float *texture_read(GLuint texture, int width_px, int height_px);
 
 /* The private table of the fixture's stage, of one output; 0 for the stage none. */
 GLuint fixture_table(const struct fixture *fixture, int output);
+
+/* A table as it is made where a GL cannot draw into floats; deleted by the caller. */
+GLuint fixture_table_by_cpu(const struct fixture *fixture, int output, enum cupola_table stage);
 
 /* The programs of all paints; to be called before the context goes. */
 void fixture_forget_programs(void);

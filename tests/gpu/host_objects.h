@@ -30,7 +30,8 @@ static GLuint target_resolved(int target)
 
 static void targets_create(void)
 {
-    static const GLenum formats[TARGETS] = {GL_SRGB8_ALPHA8, GL_RGBA8, GL_RGBA32F};
+    const GLenum floats = context_has_floats() ? GL_RGBA32F : GL_RGBA8;
+    const GLenum formats[TARGETS] = {GL_SRGB8_ALPHA8, GL_RGBA8, floats};
     glGenFramebuffers(TARGETS, target_framebuffers);
     glGenRenderbuffers(TARGETS, target_colors);
     glGenRenderbuffers(TARGETS, target_depths);
@@ -61,7 +62,7 @@ static void targets_create(void)
 static void targets_fill(void)
 {
     glClearColor(0.5f, 0.4f, 2.5f, 0.6f);
-    glClearDepth(0.5);
+    context_clear_depth(0.5);
     glClearStencil(0);
     for (int i = 0; i < TARGETS; i++) {
         glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffers[i]);
@@ -71,16 +72,13 @@ static void targets_fill(void)
 
 static GLuint program_of(const char *vertex, const char *fragment, const char *feedback)
 {
-    const char *const sources[] = {vertex, fragment};
-    const GLenum kinds[] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
+    const GLuint shaders[] = {context_compile(GL_VERTEX_SHADER, vertex),
+                              context_compile(GL_FRAGMENT_SHADER, fragment)};
     GLint linked = GL_FALSE;
     GLuint program = glCreateProgram();
     for (int i = 0; i < 2; i++) {
-        GLuint shader = glCreateShader(kinds[i]);
-        glShaderSource(shader, 1, &sources[i], NULL);
-        glCompileShader(shader);
-        glAttachShader(program, shader);
-        glDeleteShader(shader);
+        glAttachShader(program, shaders[i]);
+        glDeleteShader(shaders[i]);
     }
     if (feedback)
         glTransformFeedbackVaryings(program, 1, &feedback, GL_INTERLEAVED_ATTRIBS);
@@ -92,31 +90,29 @@ static GLuint program_of(const char *vertex, const char *fragment, const char *f
 
 static void programs_create(void)
 {
-    static const char vertex[] = "#version 330 core\n"
-                                 "void main() { vec2 corner = vec2(gl_VertexID & 1, gl_VertexID "
+    static const char vertex[] = "void main() { vec2 corner = vec2(gl_VertexID & 1, gl_VertexID "
                                  ">> 1); gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0); }\n";
-    static const char fragment[] = "#version 330 core\n"
-                                   "uniform sampler2D image; out vec4 color;\n"
+    static const char fragment[] = "uniform sampler2D image; out vec4 color;\n"
                                    "void main() { color = textureLod(image, gl_FragCoord.xy / 64.0,"
                                    " 0.0) + vec4(fract(gl_FragCoord.xy / 16.0), 0.0, 0.0); }\n";
     naive_program = program_of(vertex, fragment, NULL);
     hostile_program = program_of(vertex, fragment, NULL);
     hostile_feedback_program = program_of(vertex, fragment, "gl_Position");
-    if (context_has(41, "GL_ARB_separate_shader_objects"))
+    if (context_has_pipelines())
         glGenProgramPipelines(1, &hostile_pipeline);
 }
 
 static void bindings_create(void)
 {
-    static const GLfloat texels[4 * HOSTILE_SIZE * HOSTILE_SIZE] = {0.9f, 0.2f, 0.4f, 0.4f, 0.1f,
-                                                                    0.3f, 0.8f, 0.4f, 0.7f};
+    static const GLubyte texels[4 * HOSTILE_SIZE * HOSTILE_SIZE] = {230, 51,  102, 102, 26,
+                                                                    77,  204, 102, 179};
     glGenTextures(SNAPSHOT_UNITS, hostile_textures);
     glGenTextures(1, &naive_texture);
     glGenSamplers(SNAPSHOT_UNITS, hostile_samplers);
     for (int i = 0; i <= SNAPSHOT_UNITS; i++) {
         glBindTexture(GL_TEXTURE_2D, i < SNAPSHOT_UNITS ? hostile_textures[i] : naive_texture);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, HOSTILE_SIZE, HOSTILE_SIZE, 0, GL_RGBA, GL_FLOAT,
-                     texels);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, HOSTILE_SIZE, HOSTILE_SIZE, 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, texels);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     }
     for (int i = 0; i < SNAPSHOT_UNITS; i++) {
@@ -171,66 +167,55 @@ static void objects_release(void)
 
 static void reset_capabilities(void)
 {
-    static const GLenum off[] = {GL_DEPTH_TEST,
-                                 GL_STENCIL_TEST,
-                                 GL_CULL_FACE,
-                                 GL_FRAMEBUFFER_SRGB,
-                                 GL_RASTERIZER_DISCARD,
-                                 GL_PRIMITIVE_RESTART,
-                                 GL_COLOR_LOGIC_OP,
-                                 GL_POLYGON_OFFSET_FILL,
-                                 GL_POLYGON_SMOOTH,
-                                 GL_LINE_SMOOTH,
-                                 GL_SAMPLE_ALPHA_TO_COVERAGE,
-                                 GL_SAMPLE_ALPHA_TO_ONE,
-                                 GL_SAMPLE_COVERAGE,
-                                 GL_SAMPLE_MASK,
-                                 GL_DEPTH_CLAMP,
-                                 GL_BLEND,
-                                 GL_SCISSOR_TEST,
-                                 GL_PROGRAM_POINT_SIZE,
-                                 GL_TEXTURE_CUBE_MAP_SEAMLESS};
-    for (size_t i = 0; i < sizeof off / sizeof off[0]; i++)
-        glDisable(off[i]);
-    for (int i = 0; i < 8; i++)
-        glDisable((GLenum)(GL_CLIP_DISTANCE0 + i));
-    glEnable(GL_MULTISAMPLE);
-    glEnable(GL_DITHER);
-    if (context_has(43, "GL_ARB_ES3_compatibility"))
-        glDisable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
-    if (context_has(40, "GL_ARB_sample_shading"))
-        glDisable(GL_SAMPLE_SHADING);
+    for (int i = 0; i < CAPABILITIES; i++) {
+        GLenum name = capabilities[i].name;
+        if (!capability_exists(&capabilities[i]))
+            continue;
+        if (name == GL_MULTISAMPLE || name == GL_DITHER)
+            glEnable(name);
+        else
+            glDisable(name);
+    }
+    glDisable(GL_BLEND);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+static void reset_desktop_values(void)
+{
+    glPrimitiveRestartIndex(0);
+    glLogicOp(GL_COPY);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glPointSize(1.0f);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
 }
 
 static void reset_values(void)
 {
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glDepthRange(0.0, 1.0);
+    context_depth_range(0.0, 1.0);
     glStencilFunc(GL_ALWAYS, 0, ~0u);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glStencilMask(~0u);
     glCullFace(GL_BACK);
     glFrontFace(GL_CCW);
-    glPrimitiveRestartIndex(0);
-    glLogicOp(GL_COPY);
     glPolygonOffset(0.0f, 0.0f);
     glSampleCoverage(1.0f, GL_FALSE);
-    glSampleMaski(0, ~0u);
+    if (context_has(33, NULL, 31, NULL))
+        glSampleMaski(0, ~0u);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ZERO);
     glBlendColor(0.0f, 0.0f, 0.0f, 0.0f);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glLineWidth(1.0f);
-    glPointSize(1.0f);
-    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClearDepth(1.0);
+    context_clear_depth(1.0);
     glClearStencil(0);
-    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
-    if (context_has(45, "GL_ARB_clip_control"))
+    if (context_has_clip_control())
         glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    if (!context_is_es())
+        reset_desktop_values();
 }
 
 static void reset_bindings(void)
@@ -238,7 +223,7 @@ static void reset_bindings(void)
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glBindRenderbuffer(GL_RENDERBUFFER, 0);
     glUseProgram(0);
-    if (context_has(41, "GL_ARB_separate_shader_objects"))
+    if (context_has_pipelines())
         glBindProgramPipeline(0);
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -256,12 +241,15 @@ static void reset_bindings(void)
 
 static void reset_pixel_stores(void)
 {
-    static const GLenum zero[] = {
-        GL_PACK_ROW_LENGTH,    GL_PACK_SKIP_ROWS,    GL_PACK_SKIP_PIXELS,
-        GL_PACK_SWAP_BYTES,    GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
-        GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES, GL_UNPACK_IMAGE_HEIGHT};
+    static const GLenum zero[] = {GL_PACK_ROW_LENGTH,    GL_PACK_SKIP_ROWS,   GL_PACK_SKIP_PIXELS,
+                                  GL_UNPACK_ROW_LENGTH,  GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS,
+                                  GL_UNPACK_IMAGE_HEIGHT};
     for (size_t i = 0; i < sizeof zero / sizeof zero[0]; i++)
         glPixelStorei(zero[i], 0);
+    if (!context_is_es()) {
+        glPixelStorei(GL_PACK_SWAP_BYTES, GL_FALSE);
+        glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
+    }
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
@@ -269,7 +257,7 @@ static void reset_pixel_stores(void)
 static void state_reset(void)
 {
     GLboolean active = GL_FALSE;
-    if (context_has(40, "GL_ARB_transform_feedback2"))
+    if (context_has_pausable_feedback())
         glGetBooleanv(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE, &active);
     if (active)
         glEndTransformFeedback();

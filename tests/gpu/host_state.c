@@ -23,13 +23,35 @@ struct results {
     float *values;
 };
 
+static bool depth_is_readable(void)
+{
+    return context_has(33, NULL, NO_VERSION, "GL_NV_read_depth");
+}
+
+/* Depth as whatever number of 32 bits it is; results are compared bit by bit. */
+static void read_depth(int width, int height, float *values)
+{
+    GLint type = GL_FLOAT;
+    if (!depth_is_readable())
+        return;
+    if (context_is_es())
+        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
+                                              GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT,
+                 type == GL_FLOAT ? GL_FLOAT : GL_UNSIGNED_INT, values);
+}
+
 static void add_pixels(struct results *results, GLuint framebuffer, GLenum format, int width,
                        int height)
 {
     int channels = format == GL_RGBA ? 4 : 1;
+    float *values = results->values + results->count;
     assert_true(results->count + channels * width * height <= RESULTS_MAX);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glReadPixels(0, 0, width, height, format, GL_FLOAT, results->values + results->count);
+    if (format == GL_RGBA)
+        context_read_pixels(width, height, values);
+    else
+        read_depth(width, height, values);
     results->count += channels * width * height;
 }
 
@@ -89,7 +111,8 @@ struct host {
 
 static bool hostility_exists(const struct hostility *hostility)
 {
-    return context_has(hostility->since, hostility->extension);
+    return context_has(hostility->gl, hostility->gl_extension, hostility->es,
+                       hostility->es_extension);
 }
 
 static void be_hostile(struct host *host)
@@ -143,7 +166,7 @@ static unsigned int paint_views(cupola_gl *gl)
             glScissor(rect->x + part % 3 * rect->width / 3, rect->y + part / 3 * rect->height / 3,
                       rect->width / 3 + 1, rect->height / 3 + 1);
             glClearColor(0.1f * (float)part, 0.9f - 0.2f * (float)i, 0.3f, 0.4f);
-            glClearDepth(0.5);
+            context_clear_depth(0.5);
             glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         }
         assert_int_equal(cupola_gl_view_end(gl, NULL), CUPOLA_OK);
@@ -272,7 +295,8 @@ static struct results naive_work(struct host *host, struct snapshot *after, GLen
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glDisable(GL_BLEND);
     }
-    glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, GL_FLOAT, results.values);
+    glReadPixels(0, 0, WIDTH, HEIGHT, GL_RGBA, context_has_floats() ? GL_FLOAT : GL_UNSIGNED_BYTE,
+                 results.values);
     results.count = 4 * (4 * WIDTH * HEIGHT); /* room for rows and pixels to be skipped */
     *failure = glGetError();
     snapshot_take(after);
@@ -320,7 +344,7 @@ static void what_a_host_sets_stays_and_changes_no_pixel(void **state)
     free(expected.values);
     printf("%d hosts tried, %d of %d numbers differ at most\n", tried,
            snapshot_differences(&clean, &all.before, true, NULL), clean.count);
-    check_at_least(tried, 34);
+    check_at_least(tried, context_is_es() ? 24 : 34);
 }
 
 static void without_care_each_of_them_would_matter(void **state)
@@ -339,9 +363,10 @@ static void without_care_each_of_them_would_matter(void **state)
         bool pixels = !results_equal(&results, &expected);
         bool lost = host_lost(&host.before, &after);
         bool matters = pixels || lost || failure != GL_NO_ERROR;
+        bool unseen = hostilities[i].set == set_depth_mask && !depth_is_readable();
         printf("%-36s%s%s%s\n", hostilities[i].name, pixels ? " pixels" : "", lost ? " lost" : "",
                failure != GL_NO_ERROR ? " error" : "");
-        if (hostilities[i].matters == MATTERS && !matters)
+        if (hostilities[i].matters == MATTERS && !matters && !unseen)
             fail_msg("%s: did not matter", hostilities[i].name);
         free(results.values);
     }

@@ -112,7 +112,7 @@ static void set_sample_shading(void)
 static void set_depth_clamp(void)
 {
     glEnable(GL_DEPTH_CLAMP);
-    glDepthRange(0.9, 0.1);
+    context_depth_range(0.9, 0.1);
 }
 
 static void set_no_dither(void)
@@ -144,6 +144,8 @@ static void set_blend_of_second_buffer(void)
 static void set_color_mask(void)
 {
     glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
+    if (!context_has_enable_per_buffer())
+        return;
     glColorMaski(1, GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
     glColorMaski(SNAPSHOT_BUFFERS - 1, GL_FALSE, GL_FALSE, GL_TRUE, GL_TRUE);
 }
@@ -244,7 +246,8 @@ static void set_unpack_store(void)
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 3);
     glPixelStorei(GL_UNPACK_SKIP_ROWS, 2);
     glPixelStorei(GL_UNPACK_SKIP_PIXELS, 1);
-    glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
+    if (!context_is_es())
+        glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
     glPixelStorei(GL_UNPACK_IMAGE_HEIGHT, 5);
 }
 
@@ -264,8 +267,10 @@ static void set_feedback(void)
 static void set_clear_values(void)
 {
     glClearColor(0.9f, 0.1f, 0.8f, 0.2f);
-    glClearDepth(0.25);
+    context_clear_depth(0.25);
     glClearStencil(77);
+    if (context_is_es())
+        return;
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glEnable(GL_PROGRAM_POINT_SIZE);
@@ -281,53 +286,62 @@ enum matters {
 static const struct hostility {
     const char *name;
     void (*set)(void);
-    int since;
-    const char *extension;
+    int gl;
+    const char *gl_extension;
+    int es;
+    const char *es_extension;
     enum matters matters;
 } hostilities[] = {
-    {"depth test that nothing passes", set_depth_test, 33, NULL, MATTERS},
-    {"no depth written", set_depth_mask, 33, NULL, MATTERS},
-    {"stencil test that nothing passes", set_stencil, 33, NULL, MATTERS},
-    {"all faces culled", set_cull, 33, NULL, MATTERS},
-    {"conversion to sRGB", set_srgb, 33, NULL, MATTERS},
-    {"rasterizer discard", set_discard, 33, NULL, MATTERS},
-    {"primitive restart", set_restart, 33, NULL, MAY_MATTER},
-    {"primitive restart, fixed index", set_restart_fixed, 43, "GL_ARB_ES3_compatibility",
+    {"depth test that nothing passes", set_depth_test, 33, NULL, 30, NULL, MATTERS},
+    {"no depth written", set_depth_mask, 33, NULL, 30, NULL, MATTERS},
+    {"stencil test that nothing passes", set_stencil, 33, NULL, 30, NULL, MATTERS},
+    {"all faces culled", set_cull, 33, NULL, 30, NULL, MATTERS},
+    {"conversion to sRGB", set_srgb, 33, NULL, NO_VERSION, "GL_EXT_sRGB_write_control", MATTERS},
+    {"rasterizer discard", set_discard, 33, NULL, 30, NULL, MATTERS},
+    {"primitive restart", set_restart, 33, NULL, NO_VERSION, NULL, MAY_MATTER},
+    {"primitive restart, fixed index", set_restart_fixed, 43, "GL_ARB_ES3_compatibility", 30, NULL,
      MAY_MATTER},
-    {"logic op", set_logic_op, 33, NULL, MATTERS},
-    {"polygon offset", set_polygon_offset, 33, NULL, MAY_MATTER},
-    {"smooth polygons", set_smooth, 33, NULL, MAY_MATTER},
-    {"no multisampling", set_no_multisample, 33, NULL, MAY_MATTER},
-    {"alpha to coverage", set_alpha_to_coverage, 33, NULL, MATTERS},
-    {"alpha to one", set_alpha_to_one, 33, NULL, MATTERS},
-    {"sample coverage", set_sample_coverage, 33, NULL, MATTERS},
-    {"sample mask", set_sample_mask, 33, NULL, MATTERS},
-    {"shading by sample", set_sample_shading, 40, "GL_ARB_sample_shading", MAY_MATTER},
-    {"depth clamp and range", set_depth_clamp, 33, NULL, MAY_MATTER},
-    {"no dithering", set_no_dither, 33, NULL, MAY_MATTER},
-    {"clip distances", set_clip_distances, 33, NULL, MAY_MATTER},
-    {"blending", set_blend, 33, NULL, MATTERS},
-    {"blending of the second buffer", set_blend_of_second_buffer, 40, "GL_ARB_draw_buffers_blend",
+    {"logic op", set_logic_op, 33, NULL, NO_VERSION, NULL, MATTERS},
+    {"polygon offset", set_polygon_offset, 33, NULL, 30, NULL, MAY_MATTER},
+    {"smooth polygons", set_smooth, 33, NULL, NO_VERSION, NULL, MAY_MATTER},
+    {"no multisampling", set_no_multisample, 33, NULL, NO_VERSION,
+     "GL_EXT_multisample_compatibility", MAY_MATTER},
+    {"alpha to coverage", set_alpha_to_coverage, 33, NULL, 30, NULL, MATTERS},
+    {"alpha to one", set_alpha_to_one, 33, NULL, NO_VERSION, "GL_EXT_multisample_compatibility",
      MATTERS},
-    {"color mask", set_color_mask, 33, NULL, MATTERS},
-    {"lines for polygons", set_polygon_mode, 33, NULL, MATTERS},
-    {"clip control", set_clip_control, 45, "GL_ARB_clip_control", MAY_MATTER},
-    {"viewport and scissor", set_area, 33, NULL, MATTERS},
-    {"more viewports", set_viewports, 41, "GL_ARB_viewport_array", MATTERS},
-    {"framebuffers, renderbuffer", set_framebuffers, 33, NULL, MATTERS},
-    {"program", set_program, 33, NULL, MATTERS},
-    {"program pipeline", set_pipeline, 41, "GL_ARB_separate_shader_objects", MAY_MATTER},
-    {"vertex array, buffers", set_vertex_array, 33, NULL, MATTERS},
-    {"textures, active unit", set_textures, 33, NULL, MATTERS},
-    {"sampler objects", set_samplers, 33, NULL, MATTERS},
-    {"pack buffer", set_pack_buffer, 33, NULL, MATTERS},
-    {"unpack buffer", set_unpack_buffer, 33, NULL, MATTERS},
-    {"pack storage", set_pack_store, 33, NULL, MATTERS},
-    {"pack with bytes swapped", set_pack_swap, 33, NULL, MATTERS},
-    {"unpack storage", set_unpack_store, 33, NULL, MAY_MATTER},
-    {"clamped reading", set_clamp_read, 33, NULL, MATTERS},
-    {"transform feedback", set_feedback, 40, "GL_ARB_transform_feedback2", MATTERS},
-    {"clear values and the rest", set_clear_values, 33, NULL, MAY_MATTER},
+    {"sample coverage", set_sample_coverage, 33, NULL, 30, NULL, MATTERS},
+    {"sample mask", set_sample_mask, 33, NULL, 31, NULL, MATTERS},
+    {"shading by sample", set_sample_shading, 40, "GL_ARB_sample_shading", 32,
+     "GL_OES_sample_shading", MAY_MATTER},
+    {"depth clamp and range", set_depth_clamp, 33, NULL, NO_VERSION, "GL_EXT_depth_clamp",
+     MAY_MATTER},
+    {"no dithering", set_no_dither, 33, NULL, 30, NULL, MAY_MATTER},
+    {"clip distances", set_clip_distances, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance",
+     MAY_MATTER},
+    {"blending", set_blend, 33, NULL, 30, NULL, MATTERS},
+    {"blending of the second buffer", set_blend_of_second_buffer, 40, "GL_ARB_draw_buffers_blend",
+     32, "GL_OES_draw_buffers_indexed", MATTERS},
+    {"color mask", set_color_mask, 33, NULL, 30, NULL, MATTERS},
+    {"lines for polygons", set_polygon_mode, 33, NULL, NO_VERSION, NULL, MATTERS},
+    {"clip control", set_clip_control, 45, "GL_ARB_clip_control", NO_VERSION, "GL_EXT_clip_control",
+     MAY_MATTER},
+    {"viewport and scissor", set_area, 33, NULL, 30, NULL, MATTERS},
+    {"more viewports", set_viewports, 41, "GL_ARB_viewport_array", NO_VERSION,
+     "GL_OES_viewport_array", MATTERS},
+    {"framebuffers, renderbuffer", set_framebuffers, 33, NULL, 30, NULL, MATTERS},
+    {"program", set_program, 33, NULL, 30, NULL, MATTERS},
+    {"program pipeline", set_pipeline, 41, "GL_ARB_separate_shader_objects", 31, NULL, MAY_MATTER},
+    {"vertex array, buffers", set_vertex_array, 33, NULL, 30, NULL, MATTERS},
+    {"textures, active unit", set_textures, 33, NULL, 30, NULL, MATTERS},
+    {"sampler objects", set_samplers, 33, NULL, 30, NULL, MATTERS},
+    {"pack buffer", set_pack_buffer, 33, NULL, 30, NULL, MATTERS},
+    {"unpack buffer", set_unpack_buffer, 33, NULL, 30, NULL, MATTERS},
+    {"pack storage", set_pack_store, 33, NULL, 30, NULL, MATTERS},
+    {"pack with bytes swapped", set_pack_swap, 33, NULL, NO_VERSION, NULL, MATTERS},
+    {"unpack storage", set_unpack_store, 33, NULL, 30, NULL, MAY_MATTER},
+    {"clamped reading", set_clamp_read, 33, NULL, NO_VERSION, NULL, MATTERS},
+    {"transform feedback", set_feedback, 40, "GL_ARB_transform_feedback2", 30, NULL, MATTERS},
+    {"clear values and the rest", set_clear_values, 33, NULL, 30, NULL, MAY_MATTER},
 };
 
 enum { HOSTILITIES = sizeof hostilities / sizeof hostilities[0] };

@@ -245,6 +245,26 @@ static void wrong_parameters_make_nothing(void **state)
     release(&fixture);
 }
 
+static void formats_that_the_gl_lacks_are_refused_by_the_extension(void **state)
+{
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA16F};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_gl *gl = NULL;
+    (void)state;
+    if (context_has_floats())
+        skip();
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_POINTS);
+    int objects = live_objects();
+    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_GL, &error,
+                  "GL_EXT_color_buffer_half_float");
+    params.format = CUPOLA_FORMAT_RGBA32F;
+    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_GL, &error,
+                  "GL_EXT_color_buffer_float");
+    assert_null(gl);
+    assert_int_equal(live_objects(), objects);
+    release(&fixture);
+}
+
 static void null_instead_of_a_handle_is_refused(void **state)
 {
     const struct cupola_spectator somebody = {.fov_rad = 1.25};
@@ -298,6 +318,7 @@ int main(void)
         cmocka_unit_test(views_come_in_any_order_and_the_warp_repeats),
         cmocka_unit_test(atlas_beyond_the_largest_texture_is_refused),
         cmocka_unit_test(wrong_parameters_make_nothing),
+        cmocka_unit_test(formats_that_the_gl_lacks_are_refused_by_the_extension),
         cmocka_unit_test(null_instead_of_a_handle_is_refused),
         cmocka_unit_test(destroying_inside_of_a_view_gives_the_target_back),
     };

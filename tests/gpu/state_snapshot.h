@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "context.h"
+
 enum { SNAPSHOT_MAX = 1024, SNAPSHOT_UNITS = 4, SNAPSHOT_BUFFERS = 4, SNAPSHOT_VIEWPORTS = 3 };
 
 struct snapshot {
@@ -19,10 +21,16 @@ struct snapshot {
     } entries[SNAPSHOT_MAX];
 };
 
-static inline bool context_has(int since, const char *extension)
-{
-    return epoxy_gl_version() >= since || (extension && epoxy_has_gl_extension(extension));
-}
+/* The capabilities that a context of any kind may have and this one has. */
+struct capability {
+    GLenum name;
+    int gl;
+    const char *gl_extension;
+    int es; /* NO_VERSION: none has it without the extension */
+    const char *es_extension;
+};
+
+enum { NO_VERSION = 1000 };
 
 static inline void snapshot_add(struct snapshot *all, GLenum name, int index, double value)
 {
@@ -34,38 +42,83 @@ static inline void snapshot_add(struct snapshot *all, GLenum name, int index, do
     all->entries[all->count++].of_target = false;
 }
 
+static const struct capability capabilities[] = {
+    {GL_DEPTH_TEST, 33, NULL, 30, NULL},
+    {GL_STENCIL_TEST, 33, NULL, 30, NULL},
+    {GL_CULL_FACE, 33, NULL, 30, NULL},
+    {GL_FRAMEBUFFER_SRGB, 33, NULL, NO_VERSION, "GL_EXT_sRGB_write_control"},
+    {GL_RASTERIZER_DISCARD, 33, NULL, 30, NULL},
+    {GL_PRIMITIVE_RESTART, 33, NULL, NO_VERSION, NULL},
+    {GL_PRIMITIVE_RESTART_FIXED_INDEX, 43, "GL_ARB_ES3_compatibility", 30, NULL},
+    {GL_COLOR_LOGIC_OP, 33, NULL, NO_VERSION, NULL},
+    {GL_POLYGON_OFFSET_FILL, 33, NULL, 30, NULL},
+    {GL_POLYGON_OFFSET_LINE, 33, NULL, NO_VERSION, NULL},
+    {GL_POLYGON_OFFSET_POINT, 33, NULL, NO_VERSION, NULL},
+    {GL_POLYGON_SMOOTH, 33, NULL, NO_VERSION, NULL},
+    {GL_LINE_SMOOTH, 33, NULL, NO_VERSION, NULL},
+    {GL_MULTISAMPLE, 33, NULL, NO_VERSION, "GL_EXT_multisample_compatibility"},
+    {GL_SAMPLE_ALPHA_TO_COVERAGE, 33, NULL, 30, NULL},
+    {GL_SAMPLE_ALPHA_TO_ONE, 33, NULL, NO_VERSION, "GL_EXT_multisample_compatibility"},
+    {GL_SAMPLE_COVERAGE, 33, NULL, 30, NULL},
+    {GL_SAMPLE_MASK, 33, NULL, 31, NULL},
+    {GL_SAMPLE_SHADING, 40, "GL_ARB_sample_shading", 32, "GL_OES_sample_shading"},
+    {GL_DEPTH_CLAMP, 33, NULL, NO_VERSION, "GL_EXT_depth_clamp"},
+    {GL_DITHER, 33, NULL, 30, NULL},
+    {GL_PROGRAM_POINT_SIZE, 33, NULL, NO_VERSION, NULL},
+    {GL_TEXTURE_CUBE_MAP_SEAMLESS, 33, NULL, NO_VERSION, NULL},
+    {GL_CLIP_DISTANCE0, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE1, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE2, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE3, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE4, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE5, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE6, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+    {GL_CLIP_DISTANCE7, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance"},
+};
+
+enum { CAPABILITIES = sizeof capabilities / sizeof capabilities[0] };
+
+static inline bool capability_exists(const struct capability *c)
+{
+    return context_has(c->gl, c->gl_extension, c->es, c->es_extension);
+}
+
+/* Blending on or off, its functions, and the colour mask of each draw buffer. */
+static inline bool context_has_enable_per_buffer(void)
+{
+    return context_has(33, NULL, 32, "GL_OES_draw_buffers_indexed");
+}
+
+static inline bool context_has_blend_per_buffer(void)
+{
+    return context_has(40, "GL_ARB_draw_buffers_blend", 32, "GL_OES_draw_buffers_indexed");
+}
+
+static inline bool context_has_viewports(void)
+{
+    return context_has(41, "GL_ARB_viewport_array", NO_VERSION, "GL_OES_viewport_array");
+}
+
+static inline bool context_has_clip_control(void)
+{
+    return context_has(45, "GL_ARB_clip_control", NO_VERSION, "GL_EXT_clip_control");
+}
+
+static inline bool context_has_pausable_feedback(void)
+{
+    return context_has(40, "GL_ARB_transform_feedback2", 30, NULL);
+}
+
+static inline bool context_has_pipelines(void)
+{
+    return context_has(41, "GL_ARB_separate_shader_objects", 31, NULL);
+}
+
 static inline void snapshot_capabilities(struct snapshot *all)
 {
-    static const GLenum names[] = {GL_DEPTH_TEST,
-                                   GL_STENCIL_TEST,
-                                   GL_CULL_FACE,
-                                   GL_FRAMEBUFFER_SRGB,
-                                   GL_RASTERIZER_DISCARD,
-                                   GL_PRIMITIVE_RESTART,
-                                   GL_COLOR_LOGIC_OP,
-                                   GL_POLYGON_OFFSET_FILL,
-                                   GL_POLYGON_OFFSET_LINE,
-                                   GL_POLYGON_OFFSET_POINT,
-                                   GL_POLYGON_SMOOTH,
-                                   GL_LINE_SMOOTH,
-                                   GL_MULTISAMPLE,
-                                   GL_SAMPLE_ALPHA_TO_COVERAGE,
-                                   GL_SAMPLE_ALPHA_TO_ONE,
-                                   GL_SAMPLE_COVERAGE,
-                                   GL_SAMPLE_MASK,
-                                   GL_DEPTH_CLAMP,
-                                   GL_DITHER,
-                                   GL_PROGRAM_POINT_SIZE,
-                                   GL_TEXTURE_CUBE_MAP_SEAMLESS};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        snapshot_add(all, names[i], 0, glIsEnabled(names[i]));
-    for (int i = 0; i < 8; i++)
-        snapshot_add(all, GL_CLIP_DISTANCE0, i, glIsEnabled((GLenum)(GL_CLIP_DISTANCE0 + i)));
-    if (context_has(43, "GL_ARB_ES3_compatibility"))
-        snapshot_add(all, GL_PRIMITIVE_RESTART_FIXED_INDEX, 0,
-                     glIsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX));
-    if (context_has(40, "GL_ARB_sample_shading"))
-        snapshot_add(all, GL_SAMPLE_SHADING, 0, glIsEnabled(GL_SAMPLE_SHADING));
+    for (int i = 0; i < CAPABILITIES; i++)
+        if (capability_exists(&capabilities[i]))
+            snapshot_add(all, capabilities[i].name, 0, glIsEnabled(capabilities[i].name));
 }
 
 static inline void snapshot_floats(struct snapshot *all, GLenum name, int values)
@@ -89,17 +142,10 @@ static inline void snapshot_values(struct snapshot *all)
                                    GL_STENCIL_CLEAR_VALUE,
                                    GL_CULL_FACE_MODE,
                                    GL_FRONT_FACE,
-                                   GL_POLYGON_MODE,
                                    GL_POLYGON_OFFSET_FACTOR,
-                                   GL_LOGIC_OP_MODE,
                                    GL_SAMPLE_COVERAGE_VALUE,
                                    GL_SAMPLE_COVERAGE_INVERT,
-                                   GL_PRIMITIVE_RESTART_INDEX,
-                                   GL_PROVOKING_VERTEX,
                                    GL_LINE_WIDTH,
-                                   GL_POINT_SIZE,
-                                   GL_CLAMP_READ_COLOR,
-                                   GL_PROGRAM_PIPELINE_BINDING,
                                    GL_CURRENT_PROGRAM,
                                    GL_VERTEX_ARRAY_BINDING,
                                    GL_RENDERBUFFER_BINDING,
@@ -114,28 +160,30 @@ static inline void snapshot_values(struct snapshot *all)
                                    GL_PACK_ROW_LENGTH,
                                    GL_PACK_SKIP_ROWS,
                                    GL_PACK_SKIP_PIXELS,
-                                   GL_PACK_SWAP_BYTES,
-                                   GL_PACK_LSB_FIRST,
-                                   GL_PACK_IMAGE_HEIGHT,
                                    GL_UNPACK_ALIGNMENT,
                                    GL_UNPACK_ROW_LENGTH,
                                    GL_UNPACK_SKIP_ROWS,
                                    GL_UNPACK_SKIP_PIXELS,
-                                   GL_UNPACK_SWAP_BYTES,
                                    GL_UNPACK_IMAGE_HEIGHT,
                                    GL_UNPACK_SKIP_IMAGES};
+    static const GLenum desktop_names[] = {
+        GL_POLYGON_MODE,      GL_LOGIC_OP_MODE,    GL_PRIMITIVE_RESTART_INDEX, GL_PROVOKING_VERTEX,
+        GL_POINT_SIZE,        GL_CLAMP_READ_COLOR, GL_PACK_SWAP_BYTES,         GL_PACK_LSB_FIRST,
+        GL_PACK_IMAGE_HEIGHT, GL_UNPACK_SWAP_BYTES};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (names[i] != GL_PROGRAM_PIPELINE_BINDING ||
-            context_has(41, "GL_ARB_separate_shader_objects"))
-            snapshot_floats(all, names[i], 1);
+        snapshot_floats(all, names[i], 1);
+    for (size_t i = 0; !context_is_es() && i < sizeof desktop_names / sizeof names[0]; i++)
+        snapshot_floats(all, desktop_names[i], 1);
+    if (context_has_pipelines())
+        snapshot_floats(all, GL_PROGRAM_PIPELINE_BINDING, 1);
     snapshot_floats(all, GL_COLOR_CLEAR_VALUE, 4);
     snapshot_floats(all, GL_DEPTH_RANGE, 2);
     snapshot_floats(all, GL_BLEND_COLOR, 4);
-    if (context_has(45, "GL_ARB_clip_control")) {
+    if (context_has_clip_control()) {
         snapshot_floats(all, GL_CLIP_ORIGIN, 1);
         snapshot_floats(all, GL_CLIP_DEPTH_MODE, 1);
     }
-    if (context_has(40, "GL_ARB_transform_feedback2")) {
+    if (context_has_pausable_feedback()) {
         snapshot_floats(all, GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE, 1);
         snapshot_floats(all, GL_TRANSFORM_FEEDBACK_BUFFER_PAUSED, 1);
     }
@@ -146,11 +194,16 @@ static inline void snapshot_buffers(struct snapshot *all)
     static const GLenum blending[] = {GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA,
                                       GL_BLEND_SRC_RGB,      GL_BLEND_DST_RGB,
                                       GL_BLEND_SRC_ALPHA,    GL_BLEND_DST_ALPHA};
-    bool each = context_has(40, "GL_ARB_draw_buffers_blend");
-    for (int buffer = 0; buffer < SNAPSHOT_BUFFERS; buffer++) {
-        GLboolean mask[4];
-        snapshot_add(all, GL_BLEND, buffer, glIsEnabledi(GL_BLEND, (GLuint)buffer));
-        glGetBooleani_v(GL_COLOR_WRITEMASK, (GLuint)buffer, mask);
+    bool each = context_has_blend_per_buffer();
+    bool enables = context_has_enable_per_buffer();
+    for (int buffer = 0; buffer < (enables ? SNAPSHOT_BUFFERS : 1); buffer++) {
+        GLint mask[4];
+        if (enables)
+            glGetIntegeri_v(GL_COLOR_WRITEMASK, (GLuint)buffer, mask);
+        else
+            glGetIntegerv(GL_COLOR_WRITEMASK, mask);
+        snapshot_add(all, GL_BLEND, buffer,
+                     enables ? glIsEnabledi(GL_BLEND, (GLuint)buffer) : glIsEnabled(GL_BLEND));
         for (int i = 0; i < 4; i++)
             snapshot_add(all, GL_COLOR_WRITEMASK, 4 * buffer + i, mask[i]);
         for (int i = 0; i < 6 && (each || buffer == 0); i++) {
@@ -187,14 +240,14 @@ static inline void snapshot_target(struct snapshot *all)
     int first = all->count;
     snapshot_floats(all, GL_DRAW_FRAMEBUFFER_BINDING, 1);
     snapshot_floats(all, GL_READ_FRAMEBUFFER_BINDING, 1);
-    snapshot_floats(all, GL_DRAW_BUFFER, 1);
+    snapshot_floats(all, GL_DRAW_BUFFER0, 1);
     snapshot_floats(all, GL_READ_BUFFER, 1);
     snapshot_floats(all, GL_VIEWPORT, 4);
     snapshot_floats(all, GL_SCISSOR_BOX, 4);
     snapshot_add(all, GL_SCISSOR_TEST, 0, glIsEnabled(GL_SCISSOR_TEST));
     for (int i = first; i < all->count; i++)
         all->entries[i].of_target = true;
-    if (!context_has(41, "GL_ARB_viewport_array"))
+    if (!context_has_viewports())
         return;
     for (int viewport = 1; viewport < SNAPSHOT_VIEWPORTS; viewport++) {
         GLfloat v[4];

@@ -17,10 +17,10 @@
  *
  * Every call here runs on the thread where the host's context is current, and leaves the GL state
  * as it found it (docs/host-contract.md has the list), except that between view_begin and view_end
- * the view's framebuffer, viewport and scissor rectangle are set for the host. OpenGL 3.3 core is
- * the floor. Object names are of type GLuint, spelled `unsigned int` so that no GL header is
- * needed. Where no context is current, whatever needs one answers CUPOLA_ERROR_CONTEXT; which calls
- * do is said with each.
+ * the view's framebuffer, viewport and scissor rectangle are set for the host. OpenGL 3.3 core or
+ * OpenGL ES 3.0 is the floor. Object names are of type GLuint, spelled `unsigned int` so that no GL
+ * header is needed. Where no context is current, whatever needs one answers CUPOLA_ERROR_CONTEXT;
+ * which calls do is said with each.
  *
  * GL errors that are pending when cupola_gl_create, cupola_gl_points (as it makes the table) or
  * cupola_gl_capture is called are dropped: those calls have to ask for errors of their own.
@@ -36,7 +36,10 @@ extern "C" {
 
 typedef struct cupola_gl cupola_gl;
 
-/* Of the views' colour; depth is always 32 bit float. */
+/*
+ * Of the views' colour; depth is always 32 bit float. In OpenGL ES the formats of floats need
+ * extensions; docs/host-contract.md names them.
+ */
 enum cupola_format {
     CUPOLA_FORMAT_RGBA8 = 0, /* 0 to 1 in 255 steps */
     CUPOLA_FORMAT_RGBA16F,   /* 11 significant bits, up to 65504 */
@@ -68,9 +71,10 @@ struct cupola_gl_params {
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, format or table is none of those above, or
  *          the atlas or an output is larger than this GL's textures may be
- *          CUPOLA_ERROR_CONTEXT if no context is current, or one of OpenGL ES or older than 3.3
+ *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_MEMORY
- *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader
+ *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, or has no views
+ *          of that format
  * thread   the context's
  * since    0.1
  */
@@ -214,12 +218,12 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
  * target   framebuffer, of which the read buffer is read, and lower left corner; NULL: all zero
  * width, height
  *          px, 1 to 32768 each; pixels outside of the framebuffer are undefined
- * rgba     out: 4 width height floats, rows from the bottom up, as GL converts them; untouched on
- *          failure
+ * rgba     out: 4 width height floats, rows from the bottom up, as GL converts them (OpenGL ES: of
+ *          8 bits each, unless the framebuffer holds floats); untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if rgba is NULL or a side is not as said above
- *          CUPOLA_ERROR_CONTEXT if no context is current, or one of OpenGL ES or older than 3.3
+ *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_GL if the framebuffer does not exist, is not complete, has several samples
  *          per pixel or no colour to read
  * thread   the context's

@@ -24,7 +24,8 @@ typedef struct cupola_theatre cupola_theatre;
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if dome or theatre is NULL
- *          CUPOLA_ERROR_CONTEXT if no context is current, or one of OpenGL ES or older than 3.3
+ *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than OpenGL 3.3 or
+ *          OpenGL ES 3.0
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a shader
  * thread   the context's

@@ -1,4 +1,3 @@
-#version 330 core
 // Colour = unit direction of the ray, host's camera frame.
 
 uniform mat3 ray_of_place;

@@ -1,4 +1,3 @@
-#version 330 core
 // Four random numbers per texel of the atlas (integer hash by Wellons' lowbias32 scheme of
 // multiplications and shifts): neighbours have nothing in common, so a wrong place shows at once.
 

@@ -1,4 +1,3 @@
-#version 330 core
 // A triangle over all of the view; `place` is in normalised device coordinates.
 
 out vec2 place;

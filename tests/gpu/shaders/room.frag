@@ -1,4 +1,3 @@
-#version 330 core
 // A room from -1 to 1 m round the host's camera: a colour for each face, squares and a round mark
 // in each face's middle with a notch towards its first axis. Edges are some texels wide, so that
 // golden pictures do not hang on where the texels lie.

@@ -1,4 +1,3 @@
-#version 330 core
 // Colour = the point of the screen sphere that the ray meets, in radii, host's camera frame. The
 // camera's origin is the sphere's centre.
 
