@@ -60,6 +60,9 @@ static double polynomial_least_slope_at(const double k[4], double h)
     return least_at;
 }
 
+/* Image circles per radian. A curve less steep has no inverse worth the name. */
+static const double least_slope = 1e-6;
+
 static int polynomial_prepare(const struct cupola_lens *lens, double h, double k[4],
                               struct cupola_error *error)
 {
@@ -68,16 +71,22 @@ static int polynomial_prepare(const struct cupola_lens *lens, double h, double k
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "lens coefficient k%d is %g; allowed: finite numbers", 2 * i + 1,
                              lens->k[i]);
-    double rim = polynomial_radius(lens->k, h);
+    /* Any common factor cancels: the largest becomes 1, so that nothing under- or overflows. */
+    double largest = 0, common[4];
+    for (int i = 0; i < 4; i++)
+        largest = fmax(largest, fabs(lens->k[i]));
+    for (int i = 0; i < 4; i++)
+        common[i] = largest > 0 ? lens->k[i] / largest : 0;
+    double rim = polynomial_radius(common, h);
     if (!isfinite(rim) || rim == 0)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "lens polynomial k1..k7 = %g, %g, %g, %g is %g at half of the field of "
                          "view, %g rad (%g degrees); allowed: a finite value other than 0",
                          lens->k[0], lens->k[1], lens->k[2], lens->k[3], rim, RAD_AND_DEG(h));
     for (int i = 0; i < 4; i++)
-        k[i] = lens->k[i] / rim;
+        k[i] = common[i] / rim;
     double worst = polynomial_least_slope_at(k, h);
-    if (!(polynomial_slope(k, worst) > 0))
+    if (!(polynomial_slope(k, worst) > least_slope))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "lens polynomial k1..k7 = %g, %g, %g, %g does not increase at %g rad "
                          "(%g degrees); allowed: increasing up to half of the field of view, %g "
@@ -90,6 +99,8 @@ static int polynomial_prepare(const struct cupola_lens *lens, double h, double k
 static double polynomial_angle(const double k[4], double h, double r)
 {
     double low = 0, high = h, angle = r * h;
+    if (!(r > 0))
+        return 0;
     for (int i = 0; i < 100; i++) {
         double excess = polynomial_radius(k, angle) - r;
         if (excess > 0)
@@ -106,10 +117,17 @@ static double polynomial_angle(const double k[4], double h, double r)
     return angle;
 }
 
+/* Below, angles and their squares are no numbers of their own. */
+static const double fov_min = 1e-6;
+
 static int check_fov(const struct cupola_lens *lens, double fov, struct cupola_error *error)
 {
     double limit = lens->model == CUPOLA_LENS_HEMISPHERIC ? pi : 2 * pi;
     bool open = lens->model == CUPOLA_LENS_STEREOGRAPHIC;
+    if (fov > 0 && fov < fov_min)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "lens field of view is %g rad (%g degrees); allowed: from %g rad on",
+                         RAD_AND_DEG(fov), fov_min);
     if (fov > 0 && (open ? fov < limit - 1e-9 : fov <= limit + angle_slack))
         return CUPOLA_OK;
     return error_set(error, CUPOLA_ERROR_ARGUMENT,

@@ -8,8 +8,13 @@
 #include "error.h"
 #include "lens.h"
 
+/* Samples that lie closer have no slope between them. */
+static const double step_min_rad = 1e-9;
+
 static int check_samples(const struct cupola_lens *lens, struct cupola_error *error)
 {
+    double largest = lens->table[lens->table_count - 1].radius;
+    double step_min = isfinite(largest) ? 1e-9 * largest : 0;
     for (int i = 0; i < lens->table_count; i++) {
         struct cupola_lens_sample sample = lens->table[i];
         struct cupola_lens_sample before =
@@ -20,7 +25,8 @@ static int check_samples(const struct cupola_lens *lens, struct cupola_error *er
                              "lens table sample %d is (%g rad (%g degrees), %g); allowed: angles "
                              "of 0 to pi rad (180 degrees), finite radii",
                              i + 1, RAD_AND_DEG(sample.angle_rad), sample.radius);
-        if (!origin && !(sample.angle_rad > before.angle_rad && sample.radius > before.radius))
+        if (!origin && !(sample.angle_rad - before.angle_rad > step_min_rad &&
+                         sample.radius - before.radius > step_min))
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "lens table sample %d is (%g rad (%g degrees), %g) after (%g rad (%g "
                              "degrees), %g); allowed: both strictly increasing from (0, 0)",
@@ -77,6 +83,7 @@ int lens_table_prepare(const struct cupola_lens *lens, double half_fov, struct l
     if (status != CUPOLA_OK)
         return status;
     double last = lens->table[lens->table_count - 1].angle_rad;
+    double largest = lens->table[lens->table_count - 1].radius;
     if (!(half_fov > 0 && half_fov <= last * (1 + 1e-12)))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "lens field of view is %g rad (%g degrees); allowed for this table: "
@@ -88,7 +95,8 @@ int lens_table_prepare(const struct cupola_lens *lens, double half_fov, struct l
         table->angle[0] = table->radius[0] = 0, table->count = 1;
     for (int i = 0; i < lens->table_count; i++, table->count++) {
         table->angle[table->count] = lens->table[i].angle_rad;
-        table->radius[table->count] = lens->table[i].radius;
+        /* As a part of the last one: the unit may be so small that slopes in it are no numbers. */
+        table->radius[table->count] = lens->table[i].radius / largest;
     }
     estimate_slopes(table);
     limit_slopes(table);

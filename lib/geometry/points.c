@@ -30,6 +30,9 @@ double circle_place(const struct projector *projector, double x_px, double y_px,
 {
     double x = projector->sign[0] * (x_px - projector->center_px[0]) / projector->radius_px;
     double y = projector->sign[1] * (y_px - projector->center_px[1]) / projector->radius_px;
+    /* Places absurdly far away lie beyond the rim all the same. */
+    x = fmin(fmax(x, -1e150), 1e150);
+    y = fmin(fmax(y, -1e150), 1e150);
     double r = hypot(x, y);
     double onto_rim = r > 1 ? 1 / r : 1;
     place[0] = onto_rim * x;
@@ -55,6 +58,9 @@ void lens_ray(const struct projector *projector, const double place[2], struct v
         .dx = {s + x * x * bend, x * y * bend, x * s * slope},
         .dy = {x * y * bend, s + y * y * bend, y * s * slope},
     };
+    /* Measured lenses may be so steep at the axis that the tangent is no arc even there. */
+    if (!(r > 1e-9))
+        scale3(lens_frame.at, 1 / length3(lens_frame.at));
     scale3(lens_frame.dx, projector->sign[0] / projector->radius_px);
     scale3(lens_frame.dy, projector->sign[1] / projector->radius_px);
     transform3(projector->aim, lens_frame.at, ray->at);

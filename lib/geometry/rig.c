@@ -10,6 +10,8 @@
 
 enum { SIZE_DEFAULT_PX = 1024, SIZE_MAX_PX = 32768 };
 
+/* Below these, squares and products of them are no numbers of their own. */
+static const double radius_min_m = 1e-6, circle_min_px = 1e-6;
 static const double radius_max_m = 1000;
 static const double circle_max_px = 1e6;
 static const double units_max = 1e9;
@@ -68,10 +70,10 @@ static void fill_in_size(struct cupola_output *output)
 static int check_circle(const struct cupola_output *output, struct cupola_error *error)
 {
     struct cupola_circle circle = output->circle;
-    if (!(circle.radius_px > 0 && circle.radius_px <= circle_max_px))
+    if (!(circle.radius_px >= circle_min_px && circle.radius_px <= circle_max_px))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "image circle's radius is %g px; allowed: above 0 and up to %g",
-                         circle.radius_px, circle_max_px);
+                         "image circle's radius is %g px; allowed: %g to %g", circle.radius_px,
+                         circle_min_px, circle_max_px);
     /* The nearest place of the frame buffer to the circle's centre. */
     double x = fmin(fmax(circle.center_x_px, 0), output->width_px);
     double y = fmin(fmax(circle.center_y_px, 0), output->height_px);
@@ -121,10 +123,9 @@ static int complete_theatre(struct cupola_rig *rig, struct cupola_error *error)
         rig->units_per_metre = 1;
     if (rig->output_count == 0)
         rig->output_count = 1;
-    if (!(rig->screen.radius_m > 0 && rig->screen.radius_m <= radius_max_m))
-        return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "screen's radius is %g m; allowed: above 0 and up to %g",
-                         rig->screen.radius_m, radius_max_m);
+    if (!(rig->screen.radius_m >= radius_min_m && rig->screen.radius_m <= radius_max_m))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "screen's radius is %g m; allowed: %g to %g",
+                         rig->screen.radius_m, radius_min_m, radius_max_m);
     if (!(rig->screen.cap_rad > 0 && rig->screen.cap_rad <= pi + angle_slack))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "screen's cap is %g rad (%g degrees); allowed: above 0 and up to %g rad "

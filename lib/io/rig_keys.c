@@ -12,10 +12,11 @@
     }
 #define ANY_NUMBER           .low = -DBL_MAX, .high = DBL_MAX
 #define ABOVE_0_UP_TO(bound) .low = 0, .low_is_open = true, .high = (bound)
+#define FROM_1E_6_TO(bound)  .low = 1e-6, .high = (bound)
 
 static const struct rig_key screen_keys[] = {
-    {"radius_m", "above 0 and up to 1000", RIG_REAL, offsetof(struct cupola_screen, radius_m),
-     ABOVE_0_UP_TO(1000), .comment = "of the sphere"},
+    {"radius_m", "1e-6 to 1000", RIG_REAL, offsetof(struct cupola_screen, radius_m),
+     FROM_1E_6_TO(1000), .comment = "of the sphere"},
     {"cap_deg", "above 0 and up to 180", RIG_ANGLE, offsetof(struct cupola_screen, cap_rad),
      ABOVE_0_UP_TO(180), .comment = "half-angle of the screen round the dome's axis"},
 };
@@ -25,8 +26,8 @@ static const struct rig_key circle_keys[] = {
     {"center_px", "[x, y], each from -1e7 to 1e7", RIG_REALS,
      offsetof(struct cupola_circle, center_x_px), -1e7, 1e7, .least = 2, .most = 2,
      .comment = "from the lower left corner"},
-    {"radius_px", "above 0 and up to 1e6", RIG_REAL, offsetof(struct cupola_circle, radius_px),
-     ABOVE_0_UP_TO(1e6)},
+    {"radius_px", "1e-6 to 1e6", RIG_REAL, offsetof(struct cupola_circle, radius_px),
+     FROM_1E_6_TO(1e6)},
 };
 static const struct rig_section section_circle = SECTION(circle_keys);
 

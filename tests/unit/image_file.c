@@ -105,11 +105,11 @@ static void a_png_of_any_content_is_written(void **state)
         }
 }
 
-/* AddressSanitizer itself needs more than any limit. */
-#if defined(__SANITIZE_ADDRESS__)
+/* Sanitizers themselves need more than any limit. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 enum { SANITIZED = 1 };
 #elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 enum { SANITIZED = 1 };
 #else
 enum { SANITIZED = 0 };

@@ -48,7 +48,7 @@ struct cupola_lens_sample {
 struct cupola_lens {
     enum cupola_lens_model model; /* 0: angular */
     /*
-     * Full opening angle. 0: pi; for a table, twice its last angle. Above 0 and up to 2 pi
+     * Full opening angle. 0: pi; for a table, twice its last angle. From 1e-6 up to 2 pi
      * (angular, equisolid, polynomial), up to pi (hemispheric), below 2 pi (stereographic), up to
      * twice the last angle (table).
      */

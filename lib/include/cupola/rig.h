@@ -23,7 +23,7 @@ enum { CUPOLA_OUTPUTS_MAX = 8 /* projectors in a rig */ };
 
 /* The inside of a sphere round the origin of the dome frame, cut off at a cap round its axis. */
 struct cupola_screen {
-    double radius_m; /* above 0 and up to 1000; 0: 1 m */
+    double radius_m; /* 1e-6 to 1000; 0: 1 m */
     double cap_rad;  /* half-angle round the dome's axis, above 0 and up to pi; 0: pi, no limit */
 };
 
@@ -32,7 +32,7 @@ struct cupola_circle {
     double center_x_px; /* from -1e7 to 1e7 */
     double center_y_px; /* from the bottom; from -1e7 to 1e7 */
     double radius_px;   /* 0: the largest circle that fits, in the middle; the centre is ignored.
-                       * Else above 0 and up to 1e6; the circle must meet the frame buffer. */
+                       * Else 1e-6 to 1e6; the circle must meet the frame buffer. */
 };
 
 /*
