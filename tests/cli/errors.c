@@ -73,7 +73,7 @@ static void a_wrong_number_names_option_value_and_range(void **state)
         {"--fov 360.1", "--fov: '360.1'", "above 0 and up to 360"},
         {"--tilt 181", "--tilt: '181'", "-180 to 180"},
         {"--cap 0", "--cap: '0'", "above 0 and up to 180"},
-        {"--radius -1", "--radius: '-1'", "1e-6 to 1000"},
+        {"--radius -1", "--radius: '-1'", "above 0 and up to 1000"},
         {"--density 0", "--density: '0'", "0.0625 to 16"},
         {"--view-size 0", "--view-size: '0'", "1 to 16384"},
         {"--guard 1.5", "--guard: '1.5'", "1 to 256"},
