@@ -102,7 +102,7 @@ int main(int argc, char **argv)
             draw_scene(program, &view.camera);
             cupola_gl_view_end(gl, NULL);
         }
-        if (cupola_gl_warp(gl, 0, NULL, &error) < 0)
+        if (cupola_gl_warp(gl, 0, NULL, NULL, &error) < 0)
             goto fail;
         glfwSwapBuffers(window);
         glfwPollEvents();

@@ -283,12 +283,12 @@ static void draw_views_only(struct show *show, const struct show_frame *frame)
 static bool warp(struct show *show, const struct show_frame *frame, struct cupola_error *error)
 {
     if (!is_preview(show->setup.mode))
-        return cupola_gl_warp(show->gl, show->setup.output,
+        return cupola_gl_warp(show->gl, show->setup.output, NULL,
                               &(struct cupola_target){.framebuffer = frame->framebuffer},
                               error) >= 0;
     for (int i = 0; i < cupola_dome_rig(show->dome)->output_count; i++) {
         struct cupola_target target = {.framebuffer = show->images[i].framebuffer};
-        if (cupola_gl_warp(show->gl, i, &target, error) < 0)
+        if (cupola_gl_warp(show->gl, i, NULL, &target, error) < 0)
             return false;
     }
     return true;

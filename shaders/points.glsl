@@ -73,14 +73,15 @@ float edge_coverage(float distance_px, vec2 normal)
     return clamp((ramps.x - ramps.y - ramps.z) / (2.0 * a * b), 0.0, 1.0);
 }
 
-// Half a pixel inside of the rim, where it might be infinite.
-vec2 depth_gradient(vec2 pixel, Varying point)
+// The pixel's point, near the rim one half a pixel inside of it: at the rim itself the derivatives
+// may be infinite.
+Varying point_inside_rim(vec2 pixel, Varying point)
 {
     vec3 place = circle_place(pixel);
     float most = max(1.0 - 0.5 / circle_radius, 0.0);
     if (place.z > most)
         point = screen_point(lens_ray(vec3(place.xy * (most / place.z), most)));
-    return vec2(point.dx.z, point.dy.z) / -screen_radius;
+    return point;
 }
 
 float pixel_coverage(vec2 pixel, Varying point)
@@ -88,7 +89,8 @@ float pixel_coverage(vec2 pixel, Varying point)
     vec2 from_center = pixel - circle_center;
     float rim = edge_coverage(circle_radius - length(from_center), from_center);
 #if CAPPED
-    vec2 gradient = depth_gradient(pixel, point);
+    Varying inside = point_inside_rim(pixel, point);
+    vec2 gradient = vec2(inside.dx.z, inside.dy.z) / -screen_radius;
     float excess = -point.at.z / screen_radius - cap_cosine;
     return min(rim, edge_coverage(excess / max(length(gradient), 1e-12), gradient));
 #else

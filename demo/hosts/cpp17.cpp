@@ -117,7 +117,7 @@ void run(int frames)
             cubes_draw(scene, &view.camera);
             checked(cupola_gl_view_end, gl.get());
         }
-        checked(cupola_gl_warp, gl.get(), 0, nullptr);
+        checked(cupola_gl_warp, gl.get(), 0, nullptr, nullptr);
         if (!cubes_seen(0, &rig.outputs[0]))
             throw std::runtime_error("the dome shows something else than the scene");
         glfwSwapBuffers(window.get());

@@ -67,7 +67,7 @@ static int draw_frame(cupola_gl *gl, struct cubes cubes, const struct cupola_tar
         cubes_draw(cubes, &view.camera);
         cupola_gl_view_end(gl, NULL);
     }
-    return cupola_gl_warp(gl, 0, target, error);
+    return cupola_gl_warp(gl, 0, NULL, target, error);
 }
 
 static int write_image(const char *path, const struct cupola_target *target,

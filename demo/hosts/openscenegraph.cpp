@@ -79,7 +79,7 @@ struct warp : osg::Camera::DrawCallback {
         const cupola_output &output = host->rig.outputs[0];
         cupola_target middle = {0, output.width_px / 2, output.height_px / 2};
         float rgba[4];
-        host->right = cupola_gl_warp(host->gl, 0, nullptr, &host->error) >= 0 &&
+        host->right = cupola_gl_warp(host->gl, 0, nullptr, nullptr, &host->error) >= 0 &&
                       cupola_gl_capture(&middle, 1, 1, rgba, &host->error) >= 0 && rgba[0] > 0.4f &&
                       rgba[1] < 0.3f && rgba[2] < 0.3f;
     }

@@ -81,7 +81,7 @@ static int draw_frame(struct host *host, struct cupola_error *error)
         cubes_draw(host->cubes, &view.camera);
         cupola_gl_view_end(host->gl, NULL);
     }
-    return cupola_gl_warp(host->gl, 0, NULL, error);
+    return cupola_gl_warp(host->gl, 0, NULL, NULL, error);
 }
 
 static bool wants_to_quit(void)

@@ -108,23 +108,30 @@ double edge_coverage(double distance_px, double normal_x, double normal_y)
     return fmin(fmax(area / (2 * a * b), 0), 1);
 }
 
-/*
- * The screen's depth, -D.z / R, per pixel. Near the rim it is taken half a pixel inside: at the rim
- * of a hemispheric lens of 180 degrees it is infinite, and a pixel there would be lit by half
- * however far its point lies beyond the cap.
- */
-static void depth_gradient(const struct projector *projector, double x_px, double y_px,
-                           const struct varying *point, double gradient[2])
+void point_inside_rim(const struct projector *projector, double x_px, double y_px,
+                      const struct varying *point, struct varying *inside)
 {
-    struct varying inside = *point, ray;
+    struct varying ray;
+    *inside = *point;
     double place[2], most = fmax(1 - 0.5 / projector->radius_px, 0);
     double r = fmin(circle_place(projector, x_px, y_px, place), 1);
     if (r > most) {
         place[0] *= most / r;
         place[1] *= most / r;
         lens_ray(projector, place, &ray);
-        screen_point(projector, &ray, &inside);
+        screen_point(projector, &ray, inside);
     }
+}
+
+/*
+ * The screen's depth, -D.z / R, per pixel. At the rim of a hemispheric lens of 180 degrees it is
+ * infinite, and a pixel there would be lit by half however far its point lies beyond the cap.
+ */
+static void depth_gradient(const struct projector *projector, double x_px, double y_px,
+                           const struct varying *point, double gradient[2])
+{
+    struct varying inside;
+    point_inside_rim(projector, x_px, y_px, point, &inside);
     gradient[0] = -inside.dx[2] / projector->screen_radius_m;
     gradient[1] = -inside.dy[2] / projector->screen_radius_m;
 }

@@ -48,6 +48,13 @@ void screen_point(const struct projector *projector, const struct varying *ray,
                   struct varying *point);
 
 /*
+ * The point of a place in the image, near the rim of one half a pixel inside: at the rim itself the
+ * derivatives may be infinite.
+ */
+void point_inside_rim(const struct projector *projector, double x_px, double y_px,
+                      const struct varying *point, struct varying *inside);
+
+/*
  * The part of a pixel's square on the near side of a straight edge: distance_px from the pixel's
  * centre to the edge, positive inside; direction of the edge's normal, any length.
  */

@@ -148,6 +148,9 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (!cupola_table_name((int)params->table))
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "table stage is %d; allowed: 0 to %d",
                          (int)params->table, TABLE_COUNT - 1);
+    if (params->sources >> SOURCE_KINDS)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "sources is 0x%x; allowed: 0 to 0x%x",
+                         params->sources, (1u << SOURCE_KINDS) - 1u);
     return CUPOLA_OK;
 }
 
@@ -156,13 +159,16 @@ static void destroy_objects(cupola_gl *gl)
     for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
         warp_pass_destroy(&gl->passes[i]);
     views_destroy(gl);
+    glDeleteSamplers(1, &gl->sampler);
     glDeleteVertexArrays(1, &gl->vertex_array);
 }
 
 static int create_objects(cupola_gl *gl, struct cupola_error *error)
 {
     glGenVertexArrays(1, &gl->vertex_array);
-    int status = views_create(gl, error);
+    int status = shows_source(gl, CUPOLA_SOURCE_VIEWS) ? views_create(gl, error) : CUPOLA_OK;
+    if (gl->params.sources >> CUPOLA_SOURCE_DOMEMASTER)
+        glGenSamplers(1, &gl->sampler);
     for (int i = 0; status == CUPOLA_OK && i < gl->plan.dome.rig.output_count; i++)
         status = warp_pass_create(gl, i, error);
     return status;
@@ -186,6 +192,8 @@ int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *par
                          sizeof *made);
     made->plan = *plan;
     made->params = wished;
+    if (!made->params.sources)
+        made->params.sources = 1u << CUPOLA_SOURCE_VIEWS;
     struct host_state state;
     host_features_find(&made->features);
     host_state_save(&state, &made->features);

@@ -12,14 +12,22 @@
 
 #include "cupola/gl.h"
 #include "geometry/plan.h"
+#include "geometry/source.h"
 #include "host_state.h"
 
-/* Tables and program of one output. */
+/* What shows pictures of one kind. */
+struct source_program {
+    GLuint program;                                  /* 0 where the kind was not asked for */
+    GLint target_corner, rotation, center, half_fov; /* locations of the uniforms */
+};
+
+/* Tables and programs of one output. */
 struct warp_pass {
     GLuint program;
     GLint target_corner; /* location of the uniform */
     GLuint table;        /* 0 for the stage none */
     GLuint points;       /* 0 until asked for; the same as `table` for the stage points */
+    struct source_program sources[SOURCE_KINDS]; /* that of the views stays empty */
 };
 
 struct cupola_gl {
@@ -27,7 +35,8 @@ struct cupola_gl {
     struct cupola_gl_params params;
     struct host_features features;
     GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
-    GLuint atlas, depth, framebuffer;
+    GLuint atlas, depth, framebuffer; /* 0 without views */
+    GLuint sampler;                   /* of pictures; 0 where none are shown */
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
     struct cupola_frame frame;
     bool frame_begun;
@@ -45,6 +54,30 @@ void views_destroy(cupola_gl *gl);
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
 void warp_pass_destroy(struct warp_pass *pass);
+int source_programs_create(cupola_gl *gl, int output, struct cupola_error *error);
+
+/* Whether a kind of source was asked for at creation. */
+static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kind)
+{
+    return gl->params.sources >> (unsigned int)kind & 1u;
+}
+
+/*
+ * Draws a picture into the framebuffer that is bound, with its area set. The source has been
+ * checked.
+ */
+void source_draw(const cupola_gl *gl, int output, const struct cupola_source *source,
+                 const struct cupola_target *place);
+
+/* Also whether its kind was asked for and its texture is one. */
+int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
+                    struct cupola_error *error);
+
+/*
+ * Binds a texture to the active unit; false, and no error left in the GL, if there is none of that
+ * name or it is of another kind. The target is GL_TEXTURE_2D or GL_TEXTURE_CUBE_MAP.
+ */
+bool texture_bind(GLenum target, GLuint name);
 
 /*
  * A stage's table of one output by the C functions, for GLs that cannot draw into floats. 0 on

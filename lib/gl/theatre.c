@@ -256,23 +256,15 @@ static void draw_outputs(const cupola_theatre *theatre, const unsigned int *imag
     glDeleteSamplers(1, &sampler);
 }
 
-/* With the host's state saved: binding tells whether a name is that of a 2-D texture. */
+/* With the host's state saved. */
 static int check_images(const cupola_theatre *theatre, const unsigned int *images,
                         struct cupola_error *error)
 {
-    for (int i = 0; i < theatre->dome.rig.output_count; i++) {
-        GLint bound = 0;
-        if (images[i] && glIsTexture(images[i])) {
-            glBindTexture(GL_TEXTURE_2D, images[i]);
-            glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
-            if ((GLuint)bound == images[i])
-                continue;
-            glGetError(); /* of that binding */
-        }
-        return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "image %d is texture %u; allowed: the name of a GL_TEXTURE_2D", i,
-                         images[i]);
-    }
+    for (int i = 0; i < theatre->dome.rig.output_count; i++)
+        if (!texture_bind(GL_TEXTURE_2D, images[i]))
+            return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                             "image %d is texture %u; allowed: the name of a GL_TEXTURE_2D", i,
+                             images[i]);
     return CUPOLA_OK;
 }
 

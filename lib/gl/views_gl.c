@@ -67,6 +67,9 @@ int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
 {
     if (!gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
+    if (!shows_source(gl, CUPOLA_SOURCE_VIEWS))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "gl was made without views; allowed: one whose sources have them");
     if (gl->view_open)
         return error_set(error, CUPOLA_ERROR_ORDER, "frame_begin inside of a view; end it first");
     struct cupola_frame wished = frame ? *frame : (struct cupola_frame){.clear_color = {0}};

@@ -67,6 +67,9 @@ static GLuint warp_program_create(const cupola_gl *gl, int output, struct cupola
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 {
     struct warp_pass *pass = &gl->passes[output];
+    int status = source_programs_create(gl, output, error);
+    if (status != CUPOLA_OK || !shows_source(gl, CUPOLA_SOURCE_VIEWS))
+        return status;
     if (gl->params.table != CUPOLA_TABLE_NONE) {
         pass->table = table_create(gl, output, gl->params.table, error);
         if (!pass->table)
@@ -84,6 +87,8 @@ int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 void warp_pass_destroy(struct warp_pass *pass)
 {
     glDeleteProgram(pass->program);
+    for (int kind = 0; kind < SOURCE_KINDS; kind++)
+        glDeleteProgram(pass->sources[kind].program);
     glDeleteTextures(1, &pass->table);
     if (pass->points != pass->table)
         glDeleteTextures(1, &pass->points);
@@ -102,30 +107,43 @@ static int check_output(const cupola_gl *gl, int output, struct cupola_error *er
     return context_check(error);
 }
 
-int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_target *target,
-                   struct cupola_error *error)
+static void views_draw(const cupola_gl *gl, int output, const struct cupola_target *place)
+{
+    const struct warp_pass *pass = &gl->passes[output];
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, pass->table);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, gl->atlas);
+    glUseProgram(pass->program);
+    glUniform2f(pass->target_corner, (GLfloat)place->x, (GLfloat)place->y);
+    draw_fullscreen(gl->vertex_array);
+}
+
+int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_source *source,
+                   const struct cupola_target *target, struct cupola_error *error)
 {
     int status = check_output(gl, output, error);
     if (status != CUPOLA_OK)
         return status;
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
-    const struct warp_pass *pass = &gl->passes[output];
     struct cupola_target place = target ? *target : (struct cupola_target){0};
-    const GLuint sampled[2] = {gl->atlas, pass->table};
+    struct cupola_source shown = source ? *source : (struct cupola_source){.texture = 0};
+    bool views = shown.kind == CUPOLA_SOURCE_VIEWS;
+    const GLuint sampled[2] = {views ? gl->atlas : shown.texture,
+                               views ? gl->passes[output].table : 0};
     struct host_state state;
     host_state_save(&state, &gl->features);
-    status = target_bind(place.framebuffer, error);
+    status = source_check_gl(gl, &shown, error);
+    if (status == CUPOLA_OK)
+        status = target_bind(place.framebuffer, error);
     if (status == CUPOLA_OK)
         status = target_check_sampled(place.framebuffer, sampled, 2, error);
     if (status == CUPOLA_OK) {
         host_set_area(&gl->features, place.x, place.y, size->width_px, size->height_px);
-        glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, pass->table);
-        glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, gl->atlas);
-        glUseProgram(pass->program);
-        glUniform2f(pass->target_corner, (GLfloat)place.x, (GLfloat)place.y);
-        draw_fullscreen(gl->vertex_array);
+        if (views)
+            views_draw(gl, output, &place);
+        else
+            source_draw(gl, output, &shown, &place);
     }
     host_state_restore(&state);
     return status;

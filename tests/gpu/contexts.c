@@ -171,7 +171,7 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT, &error,
                   "no GL context");
     assert_int_equal(cupola_gl_view_end(open.gl, &error), CUPOLA_ERROR_CONTEXT);
-    assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, NULL, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_theatre_draw(theatre, &points, &spectator, SIZE, SIZE, NULL, &error),

@@ -156,7 +156,7 @@ static struct picture draw_output(const struct sight *sight)
         assert_int_equal(cupola_gl_view_end(sight->fixture.gl, NULL), CUPOLA_OK);
     }
     struct cupola_target target = {.framebuffer = image.framebuffer};
-    assert_int_equal(cupola_gl_warp(sight->fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_warp(sight->fixture.gl, 0, NULL, &target, NULL), CUPOLA_OK);
     return image;
 }
 

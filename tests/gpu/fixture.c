@@ -248,7 +248,7 @@ float *fixture_warp(const struct fixture *fixture, int output)
                  size->height_px + corner[1], 0, GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
                  NULL);
     struct cupola_target target = {target_of(texture), corner[0], corner[1]};
-    if (cupola_gl_warp(fixture->gl, output, &target, &error) < 0)
+    if (cupola_gl_warp(fixture->gl, output, NULL, &target, &error) < 0)
         fail_msg("%s", error.message);
     float *image = capture(&target, size->width_px, size->height_px);
     glDeleteFramebuffers(1, &target.framebuffer);

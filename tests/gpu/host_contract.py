@@ -1,7 +1,7 @@
-"""Every GL name in lib/gl/host_state.c stands in the list of docs/host-contract.md, and no other.
-Extensions that the file only looks for may stand in the section on OpenGL ES instead.
+"""Every GL name in the code that saves the host's state stands in the list of docs/host-contract.md,
+and no other. Extensions that the code only looks for may stand in the section on OpenGL ES instead.
 
-host_contract.py HOST_STATE.C HOST_CONTRACT.MD
+host_contract.py HOST_STATE.C... HOST_CONTRACT.MD
 """
 
 import re
@@ -14,9 +14,11 @@ def names(text):
     return set(re.findall(r"\bGL_[A-Za-z0-9_]+\b", text)) - NUMBERS
 
 
-with open(sys.argv[1], encoding="utf-8") as source:
-    code = names(source.read())
-with open(sys.argv[2], encoding="utf-8") as document:
+code = set()
+for path in sys.argv[1:-1]:
+    with open(path, encoding="utf-8") as source:
+        code |= names(source.read())
+with open(sys.argv[-1], encoding="utf-8") as document:
     text = document.read()
 state, es = (
     text.split(f"\n## {title}\n")[1].split("\n## ")[0]
@@ -26,7 +28,7 @@ listed = names(state)
 allowed = listed | {name for name in names(es) if name.startswith(("GL_EXT_", "GL_OES_"))}
 
 if len(code) < 50:
-    sys.exit(f"only {len(code)} GL names found in {sys.argv[1]}")
+    sys.exit(f"only {len(code)} GL names found in {sys.argv[1:-1]}")
 if code - allowed or listed - code:
     sys.exit(f"not in the document: {sorted(code - allowed)}; not in the code: {sorted(listed - code)}")
 print(f"{len(code)} names")

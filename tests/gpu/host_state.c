@@ -202,7 +202,7 @@ static void draw_targets(cupola_gl *gl, cupola_theatre *theatre, const cupola_do
     for (int i = 0; i < TARGETS; i++) {
         struct cupola_target left = {target_framebuffer(i), 3, 5};
         struct cupola_target right = {target_framebuffer(i), WIDTH + 7, 9};
-        check_host(host, true, cupola_gl_warp(gl, 0, &left, NULL), "warp");
+        check_host(host, true, cupola_gl_warp(gl, 0, NULL, &left, NULL), "warp");
         check_host(host, true,
                    cupola_theatre_draw(theatre, images, &spectator, WIDTH, HEIGHT, &right, NULL),
                    "theatre_draw");

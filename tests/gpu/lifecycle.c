@@ -138,12 +138,13 @@ static void views_come_after_frame_begin_and_one_at_a_time(void **state)
                   "inside");
     check_refused(cupola_gl_frame_begin(fixture.gl, NULL, &error), CUPOLA_ERROR_ORDER, &error,
                   "inside");
-    check_refused(cupola_gl_warp(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER, &error, "open");
+    check_refused(cupola_gl_warp(fixture.gl, 0, NULL, NULL, &error), CUPOLA_ERROR_ORDER, &error,
+                  "open");
     check_refused(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error,
                   "open");
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_ERROR_ORDER);
-    check_refused(cupola_gl_warp(fixture.gl, 1, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+    check_refused(cupola_gl_warp(fixture.gl, 1, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "output is 1");
     assert_int_equal(cupola_gl_points(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
     release(&fixture);
@@ -277,7 +278,8 @@ static void null_instead_of_a_handle_is_refused(void **state)
     check_refused(cupola_gl_view_begin(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "NULL");
     check_refused(cupola_gl_view_end(NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
-    check_refused(cupola_gl_warp(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
+    check_refused(cupola_gl_warp(NULL, 0, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "NULL");
     check_refused(cupola_gl_points(NULL, 0, &texture, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "NULL");
     assert_int_equal(texture, 7);

@@ -85,7 +85,8 @@ static void check_target(GLuint framebuffer, const char *word)
     float pixels[4 * SIZE * SIZE] = {0.5f};
     cupola_spectator_at_eye(fixture.dome, &spectator);
     glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
-    check_refused(cupola_gl_warp(fixture.gl, 0, &target, &error), CUPOLA_ERROR_GL, &error, word);
+    check_refused(cupola_gl_warp(fixture.gl, 0, NULL, &target, &error), CUPOLA_ERROR_GL, &error,
+                  word);
     check_refused(cupola_theatre_draw(theatre, &image, &spectator, SIZE, SIZE, &target, &error),
                   CUPOLA_ERROR_GL, &error, word);
     check_refused(cupola_gl_capture(&target, SIZE, SIZE, pixels, &error), CUPOLA_ERROR_GL, &error,
@@ -200,7 +201,7 @@ static void further_draw_buffers_keep_what_they_have(void **state)
     GLuint second = attach_second();
     cupola_spectator_at_eye(fixture.dome, &spectator);
     glColorMaski(1, GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
-    assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, &target, NULL), CUPOLA_OK);
     check_second(second);
     glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
     context_read_pixels(SIZE, SIZE, pixels);
@@ -231,8 +232,8 @@ static void what_is_sampled_is_no_target(void **state)
     own[1] = points; /* it is the warp's table, too; without float targets it is no attachment */
     for (int i = 0; i < (context_has_floats() ? 2 : 1); i++) {
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT2, GL_TEXTURE_2D, own[i], 0);
-        check_refused(cupola_gl_warp(fixture.gl, 0, &target, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                      "color attachment 2");
+        check_refused(cupola_gl_warp(fixture.gl, 0, NULL, &target, &error), CUPOLA_ERROR_ARGUMENT,
+                      &error, "color attachment 2");
         check_refused(draw(&own[i], &spectator, SIZE, SIZE, &error), CUPOLA_ERROR_ARGUMENT, &error,
                       "color attachment 2");
     }
@@ -241,8 +242,8 @@ static void what_is_sampled_is_no_target(void **state)
     assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, &view, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
     target.framebuffer = view.framebuffer;
-    check_refused(cupola_gl_warp(fixture.gl, 0, &target, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "color attachment 0");
+    check_refused(cupola_gl_warp(fixture.gl, 0, NULL, &target, &error), CUPOLA_ERROR_ARGUMENT,
+                  &error, "color attachment 0");
     check_untouched();
 }
 
@@ -263,7 +264,7 @@ static void errors_that_were_pending_go_where_the_gl_is_asked_and_stay_elsewhere
     check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
     assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, &view, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
-    assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, &target, NULL), CUPOLA_OK);
     assert_int_equal(glGetError(), GL_INVALID_ENUM);
     glBindFramebuffer(GL_FRAMEBUFFER, good_framebuffer);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -361,7 +362,7 @@ static void program_that_the_host_has_deleted_is_no_error(void **state)
     glLinkProgram(program);
     glUseProgram(program);
     glDeleteProgram(program);
-    assert_int_equal(cupola_gl_warp(fixture.gl, 0, &target, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, &target, NULL), CUPOLA_OK);
     assert_int_equal(glGetError(), GL_NO_ERROR);
     glGetIntegerv(GL_CURRENT_PROGRAM, &in_use);
     assert_int_equal(in_use, 0);

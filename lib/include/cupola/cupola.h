@@ -12,6 +12,7 @@
 #include "plan.h"
 #include "reference.h"
 #include "rig.h"
+#include "source.h"
 #include "theatre.h"
 #include "version.h"
 

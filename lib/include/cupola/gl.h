@@ -13,7 +13,10 @@
  *         draw_scene(view.camera.projection, view.camera.view);
  *         cupola_gl_view_end(gl, NULL);
  *     }
- *     cupola_gl_warp(gl, 0, &target, NULL);
+ *     cupola_gl_warp(gl, 0, NULL, &target, NULL);
+ *
+ * Pictures that exist already (source.h) need no views: a cupola_gl made for them alone goes
+ * straight to the warp.
  *
  * Every call here runs on the thread where the host's context is current, and leaves the GL state
  * as it found it (docs/host-contract.md has the list), except that between view_begin and view_end
@@ -29,6 +32,7 @@
 #define CUPOLA_GL_H
 
 #include "plan.h"
+#include "source.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -60,6 +64,10 @@ struct cupola_gl_params {
     enum cupola_format format; /* 0: RGBA8 */
     enum cupola_table table;   /* 0: points */
     float border[4];           /* RGBA of pixels that are not lit; all zero: transparent black */
+    /* What the warp will show: the sum of 1u << kind for each kind of enum cupola_source_kind, so
+     * that its program is ready before the first frame. Without the views nothing is made for them:
+     * no atlas, no tables. 0: the views alone. */
+    unsigned int sources;
 };
 
 /*
@@ -69,8 +77,9 @@ struct cupola_gl_params {
  * gl       out: to be given to cupola_gl_destroy; untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
- *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, format or table is none of those above, or
- *          the atlas or an output is larger than this GL's textures may be
+ *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, format or table is none of those above,
+ *          sources has a bit that is no kind, or the atlas or an output is larger than this GL's
+ *          textures may be
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, or has no views
@@ -105,7 +114,8 @@ struct cupola_frame {
  * frame    NULL: all zero
  * error    may be NULL
  * returns  the number of views to draw, 1 or more
- *          CUPOLA_ERROR_ARGUMENT if gl is NULL or the distances are not as said above
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL or made without views, or the distances are not as
+ *          said above
  *          CUPOLA_ERROR_ORDER inside a view
  * thread   the context's
  * since    0.1
@@ -162,30 +172,33 @@ struct cupola_target {
 };
 
 /*
- * Draws an output's image into a target, from the views as they are now. The rectangle is of the
- * output's size; every pixel in it is written (colour, all four channels), none outside of it.
+ * Draws an output's image into a target, from the views as they are now or from a picture. The
+ * rectangle is of the output's size; every pixel in it is written (colour, all four channels), none
+ * outside of it.
  *
  * output   index, 0 to the number of the rig's outputs - 1
- * target   NULL: all zero. Textures that the warp samples (the atlas, the output's table) must not
- *          be attached to it, so the views' framebuffer is no target
+ * source   what is shown, of a kind that gl was made for; NULL: the views
+ * target   NULL: all zero. Textures that the warp samples (the atlas, the output's table, the
+ *          picture) must not be attached to it, so the views' framebuffer is no target
  * error    may be NULL
  * returns  CUPOLA_OK
- *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or a texture that is
- *          sampled is a colour of the target
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, the source is of a kind
+ *          that gl was not made for, a field of it is outside of its range or its texture is none
+ *          of that kind, or a texture that is sampled is a colour of the target
  *          CUPOLA_ERROR_ORDER inside a view
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
  * thread   the context's
  * since    0.1
  */
-CUPOLA_API int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_target *target,
-                              struct cupola_error *error);
+CUPOLA_API int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_source *source,
+                              const struct cupola_target *target, struct cupola_error *error);
 
 /*
  * The views' texture, guard bands and gaps included. Its size (atlas_width_px, atlas_height_px of
  * the report) and the views' rectangles in it are the plan's. Lives as long as gl.
  *
- * returns  the name of a GL_TEXTURE_2D; 0 if gl is NULL
+ * returns  the name of a GL_TEXTURE_2D; 0 if gl is NULL or made without views
  * thread   any
  * since    0.1
  */

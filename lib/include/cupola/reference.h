@@ -6,6 +6,7 @@
 #define CUPOLA_REFERENCE_H
 
 #include "plan.h"
+#include "source.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -41,6 +42,25 @@ CUPOLA_API int cupola_reference_views(const cupola_plan *plan,
                                       void (*color)(const double direction[3], float rgba[4],
                                                     void *user),
                                       void *user, float *atlas);
+
+/*
+ * Shows a picture through an output, as cupola_gl_warp does without mipmaps: bilinear.
+ *
+ * output   index
+ * source   kind, place, opening and orientation; not the views. The texture is not asked for
+ * picture  RGBA floats, rows from the bottom up; of a cube six faces in GL's order (+X, -X, +Y, -Y,
+ *          +Z, -Z), each in the row order in which it would be handed to glTexImage2D
+ * width    of the picture, or of a face of a cube, px, 1 to 32768
+ * height   likewise; of a cube the same
+ * border   RGBA of pixels that are not lit; NULL: all zero
+ * image    out: RGBA floats, rows from the bottom up, of the output's size
+ * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API int cupola_reference_source(const cupola_dome *dome, int output,
+                                       const struct cupola_source *source, const float *picture,
+                                       int width, int height, const float border[4], float *image);
 
 #ifdef __cplusplus
 }
