@@ -64,6 +64,7 @@ bool file_clash_check(const struct options *options, const char *picture, char *
         {"--save-rig (what was there)", *backup ? backup : NULL, true},
         {"--stats", is_stdout ? NULL : stats, true},
         {"--output", picture, true},
+        {"--show", options->show, false},
     };
     enum { COUNT = sizeof files / sizeof *files };
 

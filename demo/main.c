@@ -82,6 +82,7 @@ int main(int argc, char **argv)
         setup.plan = options.plan;
         setup.table = options.table;
         setup.mode = options.mode;
+        setup.source = options.show_as;
         setup.output = options_output(&options);
         setup.floats = options.output && options_is_pfm(options.output);
         status = run(&options, &setup, message);

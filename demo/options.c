@@ -8,6 +8,7 @@
 
 #include <cupola/rig.h>
 
+#include "option_check.h"
 #include "option_list.h"
 #include "short_path.h"
 
@@ -33,6 +34,18 @@ static const char *flip_name(int index)
 static const char *preview_name(int index)
 {
     static const char *const names[] = {"eye", "outside"};
+    return name_at(names, 2, index);
+}
+
+/* Every kind of source but the views. */
+static const char *picture_kind_name(int index)
+{
+    return index >= 0 ? cupola_source_name(index + CUPOLA_SOURCE_DOMEMASTER) : NULL;
+}
+
+static const char *picture_place_name(int index)
+{
+    static const char *const names[] = {"screen", "infinity"};
     return name_at(names, 2, index);
 }
 
@@ -76,6 +89,14 @@ static bool vector(const struct value_context *context, const char *text, double
 {
     optional->given = value_numbers(context, text, "X,Y,Z", (struct number_range){-limit, limit}, 3,
                                     3, optional->value);
+    return optional->given;
+}
+
+static bool aim(const struct value_context *context, const char *text, struct optional *optional)
+{
+    optional->given =
+        value_numbers(context, text, "YAW,PITCH,ROLL",
+                      (struct number_range){-360, 360, .degrees = true}, 3, 3, optional->value);
     return optional->given;
 }
 
@@ -170,6 +191,34 @@ static bool take_scene(const struct value_context *c, int code, const char *text
     }
 }
 
+/* Options about existing pictures. */
+static bool take_picture(const struct value_context *c, int code, const char *text,
+                         struct options *o)
+{
+    int index;
+
+    switch (code) {
+    case OPTION_SHOW:
+        return file_path(c, text, &o->show);
+    case OPTION_AS:
+        if (!value_name(c, text, picture_kind_name, &index))
+            return false;
+        o->show_as = (enum cupola_source_kind)(index + CUPOLA_SOURCE_DOMEMASTER);
+        return true;
+    case OPTION_FRAME_RATE:
+        return number(c, text, (struct number_range){0, 1000, .above_low = true}, &o->frame_rate);
+    case OPTION_PICTURE_FOV:
+        return number(c, text, (struct number_range){0, 360, true, true}, &o->picture_fov_rad);
+    case OPTION_PICTURE_AIM:
+        return aim(c, text, &o->picture_aim_rad);
+    default:
+        if (!value_name(c, text, picture_place_name, &index))
+            return false;
+        o->picture_place = (enum cupola_source_place)(index + CUPOLA_PLACE_SCREEN);
+        return true;
+    }
+}
+
 /* Options about the plan and its tables. */
 static bool take_plan(const struct value_context *c, int code, const char *text, struct options *o)
 {
@@ -242,10 +291,7 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
     case OPTION_PROJECTOR:
         return vector(c, text, 1000, &o->projector_m);
     case OPTION_PROJECTOR_AIM:
-        o->aim_rad.given = value_numbers(c, text, "YAW,PITCH,ROLL",
-                                         (struct number_range){-360, 360, .degrees = true}, 3, 3,
-                                         o->aim_rad.value);
-        return o->aim_rad.given;
+        return aim(c, text, &o->aim_rad);
     default:
         return number(c, text, (struct number_range){0, 1000, .above_low = true}, &o->radius_m);
     }
@@ -267,29 +313,10 @@ static bool take(int code, int index, const char *text, struct options *options,
             return take_rig(&context, code, text, options);
         if (code >= OPTION_LAYOUT && code <= OPTION_TABLE)
             return take_plan(&context, code, text, options);
+        if (code >= OPTION_SHOW && code <= OPTION_PICTURE_PLACE)
+            return take_picture(&context, code, text, options);
         return take_scene(&context, code, text, options);
     }
-}
-
-/* What is wrong with a group of options taken together; NULL: nothing. */
-static const char *contradiction(const struct options *o)
-{
-    bool window_wish = o->fullscreen || o->monitor >= 0 || o->swap_interval >= 0;
-
-    if (o->plan.density > 0 && o->plan.view_size_px > 0)
-        return "--density and --view-size contradict each other; allowed: one of them";
-    if (o->model && o->scene_given)
-        return "--scene and a MODEL contradict each other; allowed: one of them";
-    if (o->lens >= 0 && o->lens != CUPOLA_LENS_POLYNOMIAL && o->lens_k.given)
-        return "--lens-k belongs to --lens polynomial only";
-    if (o->lens >= 0 && o->lens != CUPOLA_LENS_TABLE && o->lens_table)
-        return "--lens-table belongs to --lens table only";
-    if (o->lens_k.given && o->lens_table)
-        return "--lens-k and --lens-table contradict each other; allowed: one of them";
-    if (window_wish && (o->headless || o->output))
-        return "--monitor, --fullscreen and --swap-interval need a window; allowed: not together "
-               "with --headless or --output";
-    return NULL;
 }
 
 static void unknown_option(int argc, char **argv, int code, char *message)
@@ -337,7 +364,7 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
     }
     if (optind < argc)
         options->model = argv[optind];
-    if ((problem = contradiction(options))) {
+    if ((problem = options_contradiction(options))) {
         snprintf(message, MESSAGE_SIZE, "%s", problem);
         return STATUS_USAGE;
     }

@@ -37,6 +37,14 @@ struct options {
     bool scene_given;
     enum scene_kind scene;
     bool flat;
+
+    const char *show; /* a file, or a pattern of names; NULL: the scene */
+    enum cupola_source_kind show_as;
+    struct optional frame_rate;
+    struct optional picture_fov_rad;
+    struct optional picture_aim_rad;
+    enum cupola_source_place picture_place;
+
     struct optional camera;
     struct optional look;
     struct optional up;

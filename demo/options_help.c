@@ -23,6 +23,21 @@ static const char scene_text[] =
     "  --look X,Y,Z           the point of the world that the camera looks at; default along -Z\n"
     "  --up X,Y,Z             the direction that is up; default 0,1,0\n";
 
+static const char picture_text[] =
+    "\nExisting pictures instead of a scene\n"
+    "  --show IMAGE           PNG, JPEG or PFM (what else stb_image reads, too); a name with %04d\n"
+    "                         or the like is a sequence from 0 or 1; a cube needs %s in the name,\n"
+    "                         for posx (right), negx, posy (up), negy, posz (ahead) and negz\n"
+    "  --as KIND              domemaster | equirectangular | cube\n"
+    "  --frame-rate N         of a sequence in a window, pictures a second, default 30; without a\n"
+    "                         window each frame of --frames is the next picture\n"
+    "  --picture-fov DEG      full opening of a domemaster, default 180\n"
+    "  --picture-aim YAW,PITCH,ROLL\n"
+    "                         turns the picture, degrees: a domemaster from the dome's axis, the\n"
+    "                         others from straight ahead\n"
+    "  --picture-place WHERE  screen | infinity: painted on the screen, or far away; default: a\n"
+    "                         domemaster on the screen, the others at infinity\n";
+
 static const char rig_text[] =
     "\nRig (options override the rig file, which overrides the preset)\n"
     "  --rig FILE             a rig file\n"
@@ -87,6 +102,7 @@ void options_print_help(void)
     value_name_list(cupola_rig_preset_name, presets, sizeof presets);
     fputs(usage_text, stdout);
     fputs(scene_text, stdout);
+    fputs(picture_text, stdout);
     fputs(rig_text, stdout);
     printf("  --preset NAME          %s;\n"
            "                         default: a full circle of 1024x1024, angular 180, tilt 0\n",

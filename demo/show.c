@@ -34,11 +34,17 @@ static bool is_preview(enum show_mode mode)
     return mode == SHOW_PREVIEW_EYE || mode == SHOW_PREVIEW_OUTSIDE;
 }
 
+static bool setup_has_no_views(const struct show_setup *setup)
+{
+    return setup->source != CUPOLA_SOURCE_VIEWS;
+}
+
 static struct cupola_gl_params gl_params(const struct show_setup *setup)
 {
     return (struct cupola_gl_params){
         .format = setup->floats ? CUPOLA_FORMAT_RGBA32F : CUPOLA_FORMAT_RGBA8,
         .table = setup->table,
+        .sources = 1u << (unsigned int)setup->source,
     };
 }
 
@@ -74,6 +80,8 @@ static bool create_views(struct show *show, char *message)
         snprintf(message, MESSAGE_SIZE, "%s", error.message);
         return false;
     }
+    if (setup_has_no_views(&show->setup))
+        return true;
     glGenFramebuffers(1, &show->atlas_framebuffer);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, show->atlas_framebuffer);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
@@ -94,6 +102,11 @@ struct show *show_create(const struct show_setup *setup, char *message)
     show->setup = *setup;
     if (cupola_dome_create(&setup->rig, &show->dome, &error) < 0) {
         snprintf(message, MESSAGE_SIZE, "%s", error.message);
+        goto fail;
+    }
+    if (setup_has_no_views(setup) && !is_preview(setup->mode) && setup->mode != SHOW_DOME) {
+        snprintf(message, MESSAGE_SIZE,
+                 "a picture has no views; allowed: the dome's image, or a preview");
         goto fail;
     }
     if (setup->mode == SHOW_PERSPECTIVE)
@@ -241,7 +254,7 @@ void show_draw_atlas(const struct show *show, unsigned int framebuffer,
     const struct cupola_plan_report *report = show_report(show);
     double x_scale, y_scale;
 
-    if (!report)
+    if (!report || !show->atlas_framebuffer)
         return;
     x_scale = (double)rect->width / report->atlas_width_px;
     y_scale = (double)rect->height / report->atlas_height_px;
@@ -283,12 +296,12 @@ static void draw_views_only(struct show *show, const struct show_frame *frame)
 static bool warp(struct show *show, const struct show_frame *frame, struct cupola_error *error)
 {
     if (!is_preview(show->setup.mode))
-        return cupola_gl_warp(show->gl, show->setup.output, NULL,
+        return cupola_gl_warp(show->gl, show->setup.output, frame->source,
                               &(struct cupola_target){.framebuffer = frame->framebuffer},
                               error) >= 0;
     for (int i = 0; i < cupola_dome_rig(show->dome)->output_count; i++) {
         struct cupola_target target = {.framebuffer = show->images[i].framebuffer};
-        if (cupola_gl_warp(show->gl, i, NULL, &target, error) < 0)
+        if (cupola_gl_warp(show->gl, i, frame->source, &target, error) < 0)
             return false;
     }
     return true;
@@ -320,22 +333,31 @@ static double phase_ms(const struct show_frame *frame, double start_ms)
     return now_ms() - start_ms;
 }
 
-bool show_draw(struct show *show, const struct show_frame *frame, char *message)
+/* Into the views, or straight to where it is seen. */
+static bool draw_scene(struct show *show, const struct show_frame *frame,
+                       struct cupola_error *error)
 {
     float host[16];
     double eye[3], world[3], near_distance, far_distance;
+
+    host_camera_matrix(frame->camera, host);
+    eye_places(show, frame->camera, eye, world);
+    scene_range_update(frame->range, frame->scene, world, &near_distance, &far_distance);
+    if (show->setup.mode != SHOW_PERSPECTIVE)
+        return draw_views(show, frame, host, near_distance, far_distance, error);
+    draw_perspective(show, frame, host, eye, near_distance, far_distance);
+    return true;
+}
+
+bool show_draw(struct show *show, const struct show_frame *frame, char *message)
+{
     struct cupola_error error = {0};
     struct frame_times times = {0};
     double start_ms;
 
     phase_ms(frame, 0);
     start_ms = now_ms();
-    host_camera_matrix(frame->camera, host);
-    eye_places(show, frame->camera, eye, world);
-    scene_range_update(frame->range, frame->scene, world, &near_distance, &far_distance);
-    if (show->setup.mode == SHOW_PERSPECTIVE)
-        draw_perspective(show, frame, host, eye, near_distance, far_distance);
-    else if (!draw_views(show, frame, host, near_distance, far_distance, &error))
+    if (!frame->source && !draw_scene(show, frame, &error))
         goto fail;
     times.views_ms = phase_ms(frame, start_ms);
     if (show->setup.mode == SHOW_VIEWS) {

@@ -17,8 +17,9 @@ struct show_setup {
     struct cupola_plan_params plan;
     enum cupola_table table;
     enum show_mode mode;
-    int output;  /* index of the output that is shown where only one is */
-    bool floats; /* views and images of 32-bit floats instead of 8 bits */
+    enum cupola_source_kind source; /* what is shown: the views of a scene, or a picture */
+    int output;                     /* index of the output that is shown where only one is */
+    bool floats;                    /* views and images of 32-bit floats instead of 8 bits */
 };
 
 struct show;
@@ -38,6 +39,7 @@ struct frame_times {
 };
 
 struct show_frame {
+    const struct cupola_source *source; /* NULL: the scene */
     struct scene *scene;
     const struct host_camera *camera;
     struct scene_range *range;

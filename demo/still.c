@@ -68,6 +68,7 @@ static bool draw(struct still *still, const struct options *options, char *messa
     struct frame_times times;
     struct scene_range range = {0};
     struct show_frame frame = {
+        .source = still->world.film ? film_source(still->world.film) : NULL,
         .scene = still->world.scene,
         .camera = &still->world.camera,
         .range = &range,
@@ -80,6 +81,8 @@ static bool draw(struct still *still, const struct options *options, char *messa
     if (still->stats)
         frames = stats_frames(options->frames) + 1;
     for (int i = 0; i < frames; i++) {
+        if (still->world.film && !film_seek(still->world.film, i, message))
+            return false;
         if (!show_draw(still->show, &frame, message))
             return false;
         if (still->stats)

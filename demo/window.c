@@ -208,6 +208,7 @@ static bool draw(struct window *window, struct stats *stats, char *message)
 {
     struct frame_times times;
     struct show_frame frame = {
+        .source = window->world.film ? film_source(window->world.film) : NULL,
         .scene = window->world.scene,
         .camera = &window->world.camera,
         .range = &window->range,
@@ -217,6 +218,10 @@ static bool draw(struct window *window, struct stats *stats, char *message)
         .times = stats ? &times : NULL,
     };
 
+    if (window->world.film &&
+        !film_seek(window->world.film, film_index(window->world.film, now_ms() - window->start_ms),
+                   message))
+        return false;
     if (!show_draw(window->show, &frame, message))
         return false;
     if (stats)
@@ -237,6 +242,7 @@ static bool loop(struct window *window, const struct options *options, struct st
     double last_ms = now_ms();
 
     window->moved_ms = last_ms;
+    window->start_ms = last_ms;
     while (!glfwWindowShouldClose(window->handle) && frames_left != 0) {
         double time_ms;
         glfwPollEvents();

@@ -36,6 +36,7 @@ struct window {
     double notice_end_ms;
     double cursor[2]; /* screen coordinates */
     double moved_ms;  /* when the camera was moved last */
+    double start_ms;  /* of the first frame */
     double frame_ms;  /* between frames, smoothed */
     int windowed[4];  /* place and size before it filled the screen */
 };

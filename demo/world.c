@@ -60,6 +60,8 @@ int world_create(struct world *world, const struct options *options, const struc
     status = place_camera(options, place, &world->camera, message);
     if (options->up.given)
         memcpy(world->up, options->up.value, sizeof world->up);
+    if (status == STATUS_OK && options->show && !(world->film = film_create(options, message)))
+        status = STATUS_FAILED;
     if (status != STATUS_OK)
         world_destroy(world);
     return status;
@@ -70,4 +72,6 @@ void world_destroy(struct world *world)
     if (world->scene)
         world->scene->destroy(world->scene);
     world->scene = NULL;
+    film_destroy(world->film);
+    world->film = NULL;
 }

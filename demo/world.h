@@ -4,12 +4,14 @@
 
 #include <stdio.h>
 
+#include "film.h"
 #include "host_camera.h"
 #include "options.h"
 #include "scene.h"
 
 struct world {
     struct scene *scene;
+    struct film *film; /* shown instead of the scene; NULL: none */
     struct host_camera camera;
     double up[3]; /* world */
 };

@@ -1,0 +1,47 @@
+/* Options of cupola-demo that contradict each other. */
+#include "option_check.h"
+
+#include <stddef.h>
+
+/* What is wrong with options about existing pictures taken together; NULL: nothing. */
+static const char *picture_contradiction(const struct options *o)
+{
+    bool wished = o->show_as || o->frame_rate.given || o->picture_fov_rad.given ||
+                  o->picture_aim_rad.given || o->picture_place;
+
+    if (!o->show)
+        return wished ? "--as, --frame-rate and the options --picture-... need --show; allowed: "
+                        "together with it"
+                      : NULL;
+    if (!o->show_as)
+        return "--show needs --as; allowed: --as domemaster, equirectangular or cube";
+    if (o->model || o->scene_given)
+        return "--show contradicts --scene and a MODEL; allowed: one of them";
+    if (o->mode == SHOW_PERSPECTIVE || o->mode == SHOW_VIEWS)
+        return "--show contradicts --perspective and --views-only: a picture has no views; "
+               "allowed: the dome's image, or --preview";
+    if (o->picture_fov_rad.given && o->show_as != CUPOLA_SOURCE_DOMEMASTER)
+        return "--picture-fov belongs to --as domemaster only";
+    return NULL;
+}
+
+/* The same of all options. */
+const char *options_contradiction(const struct options *o)
+{
+    bool window_wish = o->fullscreen || o->monitor >= 0 || o->swap_interval >= 0;
+
+    if (o->plan.density > 0 && o->plan.view_size_px > 0)
+        return "--density and --view-size contradict each other; allowed: one of them";
+    if (o->model && o->scene_given)
+        return "--scene and a MODEL contradict each other; allowed: one of them";
+    if (o->lens >= 0 && o->lens != CUPOLA_LENS_POLYNOMIAL && o->lens_k.given)
+        return "--lens-k belongs to --lens polynomial only";
+    if (o->lens >= 0 && o->lens != CUPOLA_LENS_TABLE && o->lens_table)
+        return "--lens-table belongs to --lens table only";
+    if (o->lens_k.given && o->lens_table)
+        return "--lens-k and --lens-table contradict each other; allowed: one of them";
+    if (window_wish && (o->headless || o->output))
+        return "--monitor, --fullscreen and --swap-interval need a window; allowed: not together "
+               "with --headless or --output";
+    return picture_contradiction(o);
+}

@@ -1,0 +1,243 @@
+/* Existing pictures in the demo: what is shown is what the scene itself looks like. */
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cupola/image_file.h>
+
+#include "check.h"
+#include "demo_picture.h"
+
+enum { FAILED = 1, USAGE = 2, SIDE = 256 };
+
+static struct process process;
+static const double pi = 3.14159265358979323846;
+
+/* A float picture whose pixels `color` gives by their places, 0 to 1. */
+static void write_picture(const char *path, int width, int height,
+                          void (*color)(double u, double v, float rgb[3]))
+{
+    float *rgba = test_calloc((size_t)width * (size_t)height, 4 * sizeof *rgba);
+
+    for (int j = 0; j < height; j++)
+        for (int i = 0; i < width; i++)
+            color((i + 0.5) / width, (j + 0.5) / height, rgba + 4 * (j * width + i));
+    assert_true(cupola_pfm_write(path, rgba, width, height, NULL) >= 0);
+    test_free(rgba);
+}
+
+static void grey(double u, double v, float rgb[3])
+{
+    (void)u;
+    (void)v;
+    rgb[0] = rgb[1] = rgb[2] = 0.5f;
+}
+
+static void white(double u, double v, float rgb[3])
+{
+    (void)u;
+    (void)v;
+    rgb[0] = rgb[1] = rgb[2] = 1.0f;
+}
+
+/* The direction itself, as the scene of that name has it; its middle is ahead. */
+static void directions(double u, double v, float rgb[3])
+{
+    double longitude = 2 * pi * (u - 0.5), latitude = pi * (v - 0.5);
+
+    rgb[0] = (float)(cos(latitude) * sin(longitude));
+    rgb[1] = (float)sin(latitude);
+    rgb[2] = (float)(-cos(latitude) * cos(longitude));
+}
+
+/* Over pixels well inside of the circle, which fills the picture: the mean difference. */
+static double mean_difference(const struct picture *a, const struct picture *b, double *largest)
+{
+    double sum = 0, middle = 0.5 * a->width;
+    int count = 0;
+
+    assert_int_equal(a->width, b->width);
+    *largest = 0;
+    for (int j = 0; j < a->height; j++)
+        for (int i = 0; i < a->width; i++) {
+            if (hypot(i + 0.5 - middle, j + 0.5 - middle) > middle - 2)
+                continue;
+            for (int c = 0; c < 3; c++) {
+                double off =
+                    fabs((double)picture_pixel(a, i, j)[c] - (double)picture_pixel(b, i, j)[c]);
+                *largest = fmax(*largest, off);
+                sum += off;
+                count++;
+            }
+        }
+    return sum / count;
+}
+
+static void check_same(const char *shown, const char *scene, double mean, double most)
+{
+    struct picture is = demo_run_pfm(&process, shown), wish = demo_run_pfm(&process, scene);
+    double largest, difference = mean_difference(&is, &wish, &largest);
+
+    printf("%s: mean %.2g, at most %.2g\n", shown, difference, largest);
+    check_at_most(difference, mean);
+    check_at_most(largest, most);
+    cupola_image_free(&is.rgba);
+    cupola_image_free(&wish.rgba);
+}
+
+static void check_other(const char *shown, const char *scene, double mean)
+{
+    struct picture is = demo_run_pfm(&process, shown), wish = demo_run_pfm(&process, scene);
+    double largest;
+
+    check_at_least(mean_difference(&is, &wish, &largest), mean);
+    cupola_image_free(&is.rgba);
+    cupola_image_free(&wish.rgba);
+}
+
+#define OFF_AXIS "--size 256x256 --fov 150 --viewer 0.2,0.1,0.2 --projector 0,-0.3,0 --tilt 25 "
+
+static void a_domemaster_comes_out_as_it_was_made(void **state)
+{
+    (void)state;
+    demo_run(&process, "--preset domemaster --size 256x256 --output dome.pfm");
+    check_same("--preset domemaster --size 256x256 --show dome.pfm --as domemaster",
+               "--preset domemaster --size 256x256", 1e-4, 1e-3);
+    check_other("--preset domemaster --size 256x256 --show dome.pfm --as domemaster "
+                "--picture-aim 0,0,1",
+                "--preset domemaster --size 256x256", 1e-3);
+}
+
+/* 0.35 degrees between texels: 5e-6 between directions. */
+static void an_equirectangular_picture_is_the_world_that_the_viewer_sees(void **state)
+{
+    (void)state;
+    write_picture("world.pfm", 4 * SIDE, 2 * SIDE, directions);
+    check_same(OFF_AXIS "--show world.pfm --as equirectangular", OFF_AXIS "--scene directions",
+               1e-4, 2e-3);
+    check_other(OFF_AXIS "--show world.pfm --as equirectangular --picture-aim 1,0,0",
+                OFF_AXIS "--scene directions", 4e-3);
+    check_other(OFF_AXIS "--show world.pfm --as equirectangular --picture-place screen",
+                OFF_AXIS "--scene directions", 4e-3);
+}
+
+/* Faces as anybody would make them: each seen upright from inside, posz ahead. */
+static void six_views_of_a_room_are_a_cube(void **state)
+{
+    static const char *const faces[6] = {
+        "posx.png --look 1,0,0",
+        "negx.png --look -1,0,0",
+        "posy.png --look 0,1,0 --up 0,0,1",
+        "negy.png --look 0,-1,0 --up 0,0,-1",
+        "posz.png --look 0,0,-1",
+        "negz.png --look 0,0,1",
+    };
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        char command[200];
+        snprintf(command, sizeof command, "--perspective --size 512x512 --fov 90 --output %s",
+                 faces[i]);
+        demo_run(&process, command);
+    }
+    check_same("--size 256x256 --fov 220 --show %s.png --as cube", "--size 256x256 --fov 220", 0.02,
+               0.6); /* the texels of the faces are filtered twice */
+    check_other("--size 256x256 --fov 220 --show %s.png --as cube --picture-aim 2,0,0",
+                "--size 256x256 --fov 220", 0.03);
+}
+
+static void frames_are_the_pictures_of_a_sequence(void **state)
+{
+    static const struct {
+        const char *frames;
+        double seen;
+    } cases[] = {{"1", 0.5}, {"2", 1.0}, {"3", 0.5}};
+    (void)state;
+    write_picture("frame-0001.pfm", 4, 4, grey);
+    write_picture("frame-0002.pfm", 4, 4, white);
+    for (int i = 0; i < 3; i++) {
+        char command[200];
+        snprintf(command, sizeof command,
+                 "--size 8x8 --show frame-%%04d.pfm --as domemaster --frames %s", cases[i].frames);
+        struct picture picture = demo_run_pfm(&process, command);
+        check_near((double)picture_pixel(&picture, 4, 4)[0], cases[i].seen, 1e-6);
+        cupola_image_free(&picture.rgba);
+    }
+}
+
+struct wrong {
+    const char *command;
+    int status;
+    const char *thing;
+    const char *allowed;
+};
+
+static void wrong_pictures_are_one_line(void **state)
+{
+    static const struct wrong wrongs[] = {
+        {"--show a.png", USAGE, "--as", "equirectangular"},
+        {"--show a.png --as film", USAGE, "'film'", "domemaster, equirectangular, cube"},
+        {"--as cube", USAGE, "--show", "allowed"},
+        {"--frame-rate 25", USAGE, "--frame-rate", "--show"},
+        {"--show a.png --as cube --frame-rate 0", USAGE, "--frame-rate", "above 0"},
+        {"--show a.png --as domemaster --picture-fov 361", USAGE, "'361'", "360"},
+        {"--show a.png --as equirectangular --picture-fov 90", USAGE, "--picture-fov",
+         "domemaster"},
+        {"--show a.png --as domemaster --picture-place up", USAGE, "'up'", "screen, infinity"},
+        {"--show a.png --as domemaster --picture-aim 1,x", USAGE, "--picture-aim", "YAW"},
+        {"--show a.png --as domemaster --perspective", USAGE, "--perspective", "--preview"},
+        {"--show a.png --as domemaster --views-only", USAGE, "--views-only", "--preview"},
+        {"--show a.png --as domemaster room.obj", USAGE, "MODEL", "one of them"},
+        {"--show a.png --as domemaster --scene cube", USAGE, "--scene", "one of them"},
+        {"--show wide.pfm --as domemaster --output wide.pfm", USAGE, "--show", "of their own"},
+        {"--show gone.png --as domemaster", FAILED, "gone.png", "No such file"},
+        {"--show gone.pfm --as domemaster", FAILED, "gone.pfm", "No such file"},
+        {"--show text.png --as domemaster", FAILED, "text.png", "PNG, JPEG, PFM"},
+        {"--show wide.pfm --as domemaster", FAILED, "8 x 4", "as wide as high"},
+        {"--show square.pfm --as equirectangular", FAILED, "4 x 4", "twice as wide"},
+        {"--show square.pfm --as cube", FAILED, "square.pfm", "%s"},
+        {"--show %s.pfm --as domemaster", FAILED, "%s.pfm", "%04d"},
+        {"--show 5%.png --as domemaster", FAILED, "5%.png", "%04d"},
+        {"--show %x.png --as domemaster", FAILED, "%x.png", "%04d"},
+        {"--show %0999999999d.png --as domemaster", FAILED, "d.png", "%04d"},
+        {"--show gone-%d.png --as domemaster", FAILED, "gone-%d.png", "number 1"},
+        {"--show gone-%s.png --as cube", FAILED, "gone-posx.png", "No such file"},
+        {"--show part-%s.pfm --as cube", FAILED, "part-negx.pfm", "No such file"},
+        {"--show odd-%d.pfm --as domemaster --frames 2", FAILED, "odd-1.pfm", "of one size"},
+    };
+    (void)state;
+    write_picture("wide.pfm", 8, 4, grey);
+    write_picture("square.pfm", 4, 4, grey);
+    write_picture("part-posx.pfm", 4, 4, grey);
+    write_picture("odd-0.pfm", 4, 4, grey);
+    write_picture("odd-1.pfm", 8, 8, grey);
+    process_write_file("text.png", "no picture");
+    for (size_t i = 0; i < sizeof wrongs / sizeof *wrongs; i++) {
+        int files = process_count_files();
+        char command[300];
+        snprintf(command, sizeof command, "--headless %s", wrongs[i].command);
+        process_run(&process, command, NULL);
+        char *end = strchr(process.err, '\n');
+        if (process.status != wrongs[i].status || !end || end[1] ||
+            !strstr(process.err, wrongs[i].thing) || !strstr(process.err, wrongs[i].allowed)) {
+            print_error("cupola-demo %s\nexit status %d, expected %d; expected '%s' and '%s' in:\n"
+                        "%s",
+                        command, process.status, wrongs[i].status, wrongs[i].thing,
+                        wrongs[i].allowed, process.err);
+            fail();
+        }
+        assert_int_equal(process_count_files(), files);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_domemaster_comes_out_as_it_was_made),
+        cmocka_unit_test(an_equirectangular_picture_is_the_world_that_the_viewer_sees),
+        cmocka_unit_test(six_views_of_a_room_are_a_cube),
+        cmocka_unit_test(frames_are_the_pictures_of_a_sequence),
+        cmocka_unit_test(wrong_pictures_are_one_line),
+    };
+    return cmocka_run_group_tests_name("films", tests, process_enter_directory,
+                                       process_leave_directory);
+}
