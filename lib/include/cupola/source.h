@@ -32,23 +32,25 @@
 extern "C" {
 #endif
 
+/* What the warp shows. */
 enum cupola_source_kind {
-    CUPOLA_SOURCE_VIEWS = 0,
-    CUPOLA_SOURCE_DOMEMASTER,
-    CUPOLA_SOURCE_EQUIRECTANGULAR,
-    CUPOLA_SOURCE_CUBE,
+    CUPOLA_SOURCE_VIEWS = 0,       /* the views that the host has drawn */
+    CUPOLA_SOURCE_DOMEMASTER,      /* a fisheye picture of a dome, angular lens, full circle */
+    CUPOLA_SOURCE_EQUIRECTANGULAR, /* all directions, longitude across and latitude up */
+    CUPOLA_SOURCE_CUBE,            /* six faces */
 };
 
+/* Where a picture is thought to be. */
 enum cupola_source_place {
     CUPOLA_PLACE_DEFAULT = 0, /* a domemaster on the screen, the others at infinity */
-    CUPOLA_PLACE_SCREEN,
-    CUPOLA_PLACE_INFINITY,
+    CUPOLA_PLACE_SCREEN,      /* on the screen itself: the same for every eye */
+    CUPOLA_PLACE_INFINITY,    /* far away: by the direction from the eye */
 };
 
 /* All zero: the views, of which nothing below is asked. */
 struct cupola_source {
-    enum cupola_source_kind kind;
-    enum cupola_source_place place;
+    enum cupola_source_kind kind;   /* what it is */
+    enum cupola_source_place place; /* where it is; not asked of the views */
     /* The picture: a GL_TEXTURE_2D, its first row the lower edge, or a GL_TEXTURE_CUBE_MAP. It is
      * filtered by a sampler object of Cupola's; its own filter and wrap parameters do not count. */
     unsigned int texture;
