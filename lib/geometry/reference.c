@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bilinear.h"
 #include "plan.h"
 #include "vector.h"
 #include "views.h"
@@ -18,25 +19,18 @@ static const float *texel_at(const struct cupola_plan_report *report, const floa
     return atlas + 4 * ((size_t)y * (size_t)width + (size_t)x);
 }
 
-/* GL_LINEAR, OpenGL 3.3 core section 3.8.11. */
 static void sample_bilinear(const struct cupola_plan_report *report, const float *atlas,
                             const double texel[2], double color[4])
 {
     double x = texel[0] - 0.5, y = texel[1] - 0.5;
     int i = (int)floor(x), j = (int)floor(y);
-    double u = x - i, v = y - j;
     const float *corners[4] = {
         texel_at(report, atlas, i, j),
         texel_at(report, atlas, i + 1, j),
         texel_at(report, atlas, i, j + 1),
         texel_at(report, atlas, i + 1, j + 1),
     };
-    const double weights[4] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
-    for (int c = 0; c < 4; c++) {
-        color[c] = 0;
-        for (int k = 0; k < 4; k++)
-            color[c] += weights[k] * (double)corners[k][c];
-    }
+    bilinear_mix(corners, x - i, y - j, color);
 }
 
 /* One pixel. Nothing is taken from cupola_dome_ray but the same steps in the same order. */

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bilinear.h"
 #include "cupola/reference.h"
 #include "source.h"
 #include "vector.h"
@@ -66,25 +67,18 @@ static const float *texel_at(const struct picture *picture, int face, int x, int
                          clamp_index(y, picture->height));
 }
 
-/* GL_LINEAR, OpenGL 3.3 core section 3.8.11. */
 static void sample_bilinear(const struct picture *picture, int face, const double place[2],
                             double color[4])
 {
     double x = place[0] * picture->width - 0.5, y = place[1] * picture->height - 0.5;
     int i = (int)floor(x), j = (int)floor(y);
-    double u = x - i, v = y - j;
     const float *corners[4] = {
         texel_at(picture, face, i, j),
         texel_at(picture, face, i + 1, j),
         texel_at(picture, face, i, j + 1),
         texel_at(picture, face, i + 1, j + 1),
     };
-    const double weights[4] = {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v};
-    for (int c = 0; c < 4; c++) {
-        color[c] = 0;
-        for (int k = 0; k < 4; k++)
-            color[c] += weights[k] * (double)corners[k][c];
-    }
+    bilinear_mix(corners, x - i, y - j, color);
 }
 
 static void show_pixel(const struct projector *projector, const struct source_frame *frame,
