@@ -10,8 +10,9 @@
 
 enum { HEIGHT = 384, SIDE = 96, RIGS = 18 };
 
-/* Bilinear mixing of directions up to 2 pi / 384 rad apart: that squared, over 8, and floats. Across
- * an edge of a cube the four texels lie on two planes: up to a quarter of one texel, 2 / 384. */
+/* Bilinear mixing of directions up to 2 pi / 384 rad apart: that squared, over 8, and floats.
+ * Across an edge of a cube the four texels lie on two planes: up to a quarter of one texel,
+ * 2 / 384. */
 static const double bar = 1e-4, bar_edge = 0.5 / HEIGHT;
 
 static struct cupola_rig rig_number(uint64_t *seed, int number)
