@@ -31,7 +31,7 @@ int options_output(const struct options *options)
 
 /*
  * Without a rig file and a preset: a full circle of 1024 x 1024, angular, 180 degrees, like the
- * preset domemaster, but with the dome's axis along the line of sight and no limit to the screen.
+ * preset domemaster, but with the dome's axis along the line of sight.
  */
 static int start(const struct options *options, struct cupola_rig *rig, char *message)
 {
