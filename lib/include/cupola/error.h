@@ -30,6 +30,7 @@ enum cupola_status {
     CUPOLA_ERROR_CONTEXT = -6,  /* no current GL context, or one that is too old */
     CUPOLA_ERROR_GL = -7,       /* the GL refused something that it should have done */
     CUPOLA_ERROR_ORDER = -8,    /* a call at a moment when it makes no sense */
+    CUPOLA_ERROR_LOST = -9,     /* the GL context has been lost: make anew what lived in it */
 };
 
 /* What failed, in words. */

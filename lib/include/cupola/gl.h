@@ -23,7 +23,8 @@
  * the view's framebuffer, viewport and scissor rectangle are set for the host. OpenGL 3.3 core or
  * OpenGL ES 3.0 is the floor. Object names are of type GLuint, spelled `unsigned int` so that no GL
  * header is needed. Where no context is current, whatever needs one answers CUPOLA_ERROR_CONTEXT;
- * which calls do is said with each.
+ * which calls do is said with each. Where the context has been lost (a robust one after a reset),
+ * they answer CUPOLA_ERROR_LOST, now and ever after: destroy the cupola_gl and make another.
  *
  * GL errors that are pending when cupola_gl_create, cupola_gl_points (as it makes the table) or
  * cupola_gl_capture is called are dropped: those calls have to ask for errors of their own.
@@ -31,6 +32,9 @@
 #ifndef CUPOLA_GL_H
 #define CUPOLA_GL_H
 
+#include <stdbool.h>
+
+#include "log.h"
 #include "plan.h"
 #include "source.h"
 
@@ -41,13 +45,44 @@ extern "C" {
 typedef struct cupola_gl cupola_gl;
 
 /*
- * Of the views' colour; depth is always 32 bit float. In OpenGL ES the formats of floats need
- * extensions; docs/host-contract.md names them.
+ * Of the views' colour. In OpenGL ES the formats of floats need extensions; docs/host-contract.md
+ * names them.
  */
 enum cupola_format {
-    CUPOLA_FORMAT_RGBA8 = 0, /* 0 to 1 in 255 steps */
+    CUPOLA_FORMAT_RGBA8 = 0, /* 0 to 1 in 255 steps, taken as they are */
     CUPOLA_FORMAT_RGBA16F,   /* 11 significant bits, up to 65504 */
     CUPOLA_FORMAT_RGBA32F,   /* single precision */
+    /* GL_SRGB8_ALPHA8: what stands in it is sRGB-encoded and filtered in linear light. A host that
+     * draws encoded colours leaves GL_FRAMEBUFFER_SRGB off, one that draws linear light switches it
+     * on; in OpenGL ES it is always on. */
+    CUPOLA_FORMAT_SRGB8,
+};
+
+/* Of the views' depth. */
+enum cupola_depth_format {
+    CUPOLA_DEPTH_32F = 0,       /* single precision; where `reversed` is worth it */
+    CUPOLA_DEPTH_24,            /* 0 to 1 in 2^24 - 1 steps */
+    CUPOLA_DEPTH_32F_STENCIL_8, /* the first with 8 bits of stencil */
+    CUPOLA_DEPTH_24_STENCIL_8,  /* the second with 8 bits of stencil */
+    CUPOLA_DEPTH_NONE,          /* no depth: for hosts that need none */
+};
+
+/* Where the views are. */
+enum cupola_storage {
+    CUPOLA_STORAGE_ATLAS = 0, /* rectangles of one texture that Cupola makes */
+    CUPOLA_STORAGE_TEXTURES, /* the host's: a GL_TEXTURE_2D for each view, or the same for several */
+    CUPOLA_STORAGE_LAYERS,   /* the host's: layers of one GL_TEXTURE_2D_ARRAY */
+};
+
+/*
+ * What the numbers that the warp writes mean. The warp itself computes in linear light: what it
+ * samples from sRGB formats is decoded by the GL, everything else is taken as it is.
+ */
+enum cupola_encoding {
+    CUPOLA_ENCODING_LINEAR = 0, /* as they are computed */
+    /* sRGB (IEC 61966-2-1), for windows and files: red, green and blue are encoded after everything
+     * else, in whatever format the target is. Alpha is not. */
+    CUPOLA_ENCODING_SRGB,
 };
 
 /* What is computed once instead of once per frame; the paper's section 3.3.1. */
@@ -61,13 +96,23 @@ enum cupola_table {
 
 /* How a plan is carried out. All zero is what most hosts want. */
 struct cupola_gl_params {
-    enum cupola_format format; /* 0: RGBA8 */
-    enum cupola_table table;   /* 0: points */
-    float border[4];           /* RGBA of pixels that are not lit; all zero: transparent black */
+    enum cupola_format format;      /* of the views; 0: RGBA8. Not asked of a host's textures */
+    enum cupola_depth_format depth; /* of the views; 0: 32F. Likewise */
+    int samples;                    /* per texel of a view; view_end resolves them. 0, 1: one */
+    enum cupola_storage storage;    /* 0: the atlas. Others not with the coordinates' table */
+    enum cupola_table table;        /* 0: points */
+    enum cupola_encoding encoding;  /* of what the warp writes; 0: linear */
+    float border[4];                /* RGBA of pixels that are not lit, in linear light; all zero:
+                                      * transparent black */
     /* What the warp will show: the sum of 1u << kind for each kind of enum cupola_source_kind, so
      * that its program is ready before the first frame. Without the views nothing is made for them:
      * no atlas, no tables. 0: the views alone. */
     unsigned int sources;
+    /* For hosts that set all of their state before they draw again: frames neither ask for the GL's
+     * state nor put it back, which is then what the call needed. docs/host-contract.md has both
+     * lists. */
+    bool leaves_state;
+    struct cupola_log log; /* who is told what happens (log.h); all zero: nobody */
 };
 
 /*
@@ -77,9 +122,10 @@ struct cupola_gl_params {
  * gl       out: to be given to cupola_gl_destroy; untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
- *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, format or table is none of those above,
- *          sources has a bit that is no kind, or the atlas or an output is larger than this GL's
- *          textures may be
+ *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, a parameter is none of those above,
+ *          sources has a bit that is no kind, samples is not 0 to what this GL has of that format,
+ *          the table of coordinates is wished for the host's textures, or the atlas or an output is
+ *          larger than this GL's textures may be
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, or has no views
@@ -103,9 +149,9 @@ CUPOLA_API void cupola_gl_destroy(cupola_gl **gl);
 
 /* What all views of a frame have in common. */
 struct cupola_frame {
-    double near_distance; /* along each view's axis, scene units, above 0; 0: 0.1 */
-    double far_distance;  /* the same, finite and beyond near; 0: 1000 */
-    float clear_color[4]; /* RGBA that each view is cleared to; all zero: transparent black */
+    struct cupola_depth depth; /* near, far and how depth runs; all zero: 0.1 to 1000 */
+    float clear_color[4];      /* RGBA that each view is cleared to, in linear light (SRGB8 encodes
+                                * it); all zero: transparent black */
 };
 
 /*
@@ -114,8 +160,8 @@ struct cupola_frame {
  * frame    NULL: all zero
  * error    may be NULL
  * returns  the number of views to draw, 1 or more
- *          CUPOLA_ERROR_ARGUMENT if gl is NULL or made without views, or the distances are not as
- *          said above
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views or for the host's textures, or
+ *          the distances are not as said in plan.h
  *          CUPOLA_ERROR_ORDER inside a view
  * thread   the context's
  * since    0.1
@@ -161,6 +207,55 @@ CUPOLA_API int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_v
  */
 CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
 
+/* A host's texture, or a part of it, as a view. */
+struct cupola_view_image {
+    unsigned int texture; /* GL_TEXTURE_2D, or GL_TEXTURE_2D_ARRAY for CUPOLA_STORAGE_LAYERS */
+    int layer;            /* of an array; else 0 */
+    /* Where the view's base rectangle lies in it, guard band included, texels; all zero: all of it.
+     * The size need not be the plan's. */
+    struct cupola_rect rect;
+};
+
+/*
+ * Says where the host's own views are. They are drawn with the matrices of cupola_plan_camera, and
+ * sampled bilinearly by a sampler object of Cupola's; the textures' own parameters do not count.
+ * Holds until the next call; nothing is copied, and the textures must live as long as warps show
+ * them. May be called in every frame.
+ *
+ * images   one for each view of the plan
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl or images is NULL, gl was not made for textures of the
+ *          host's, one of them is none of that kind, a layer or a rectangle is outside of it, or
+ *          layers are of different arrays
+ *          CUPOLA_ERROR_CONTEXT
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_image *images,
+                                      struct cupola_error *error);
+
+/*
+ * Sets what each pixel of an output is multiplied by, in linear light, before it is encoded:
+ * photometry, masks, blending of projectors. It holds for all that is drawn into the output: views,
+ * pictures, overlays and the border; alpha stays as it is.
+ *
+ * output   index, 0 to the number of the rig's outputs - 1
+ * texture  a GL_TEXTURE_2D of the output's size, of which red, green and blue are used, fetched
+ *          texel by texel; it must live as long as it is set. 0: none, which is how it begins
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or the texture is none or
+ *          of another size
+ *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_GL if the GL refuses a shader: the first call for an output makes programs
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture,
+                                  struct cupola_error *error);
+
 /*
  * Where the warp draws: draw buffer 0 of a framebuffer, and no other of it. All zero is the default
  * framebuffer at (0, 0).
@@ -185,8 +280,9 @@ struct cupola_target {
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, the source is of a kind
  *          that gl was not made for, a field of it is outside of its range or its texture is none
  *          of that kind, or a texture that is sampled is a colour of the target
- *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_ORDER inside a view, or before the host's views were imported
  *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
  * thread   the context's
  * since    0.1
@@ -198,7 +294,7 @@ CUPOLA_API int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_sou
  * The views' texture, guard bands and gaps included. Its size (atlas_width_px, atlas_height_px of
  * the report) and the views' rectangles in it are the plan's. Lives as long as gl.
  *
- * returns  the name of a GL_TEXTURE_2D; 0 if gl is NULL or made without views
+ * returns  the name of a GL_TEXTURE_2D; 0 if gl is NULL or made without views of its own
  * thread   any
  * since    0.1
  */

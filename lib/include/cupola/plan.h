@@ -181,26 +181,41 @@ struct cupola_camera {
     /* Column-major. clip = projection view x, x in the host's camera frame in scene units; a host
      * appends its own camera matrix: projection view host. */
     float view[16];
-    float projection[16]; /* column-major, GL's clip space: -1 at near, 1 at far */
+    float projection[16]; /* column-major; depth as struct cupola_depth says */
     /* Left, right, bottom, top, near, far: a x + b y + c z + d >= 0 inside; (a, b, c) has unit
-     * length; host's camera frame, scene units. */
+     * length; host's camera frame, scene units. Without a far end the last is (0, 0, 0, 1). */
     float planes[6][4];
+};
+
+/*
+ * Near and far, and how depth runs between them in clip space. All zero: 0.1 to 1000, from -1 to 1 as
+ * OpenGL has it. Cupola makes the matrices and clears the views to what belongs to the far end;
+ * glClipControl, glDepthFunc and glDepthRange are the host's.
+ */
+struct cupola_depth {
+    double near_distance; /* along each view's axis, scene units, above 0; 0: 0.1 */
+    double far_distance;  /* the same, finite and beyond near; 0: 1000 */
+    bool infinite;        /* there is no far end: far_distance is not asked */
+    bool reversed;        /* depth falls from near to far: views are cleared to 0, and nearer is
+                           * GL_GREATER */
+    bool zero_to_one;     /* for glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); with `reversed` and
+                           * floats even precision over all distances */
 };
 
 /*
  * Matrices and frustum planes of one view.
  *
- * index      of the view
- * near_distance, far_distance
- *            distances along the view's axis, scene units, 0 < near < far, both finite. Rays at the
- *            corner of a wide view are up to six times as long as their depth.
- * camera     out
- * returns    CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
- * thread     any
- * since      0.1
+ * index    of the view
+ * depth    NULL: all zero. Rays at the corner of a wide view are up to six times as long as their
+ *          depth
+ * camera   out; untouched on failure
+ * error    may be NULL
+ * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * thread   any
+ * since    0.1
  */
-CUPOLA_API int cupola_plan_camera(const cupola_plan *plan, int index, double near_distance,
-                                  double far_distance, struct cupola_camera *camera,
+CUPOLA_API int cupola_plan_camera(const cupola_plan *plan, int index,
+                                  const struct cupola_depth *depth, struct cupola_camera *camera,
                                   struct cupola_error *error);
 
 /*

@@ -1,0 +1,80 @@
+/*
+ * Overlays: text, a cursor or a picture of the host's, laid over an output's image by direction and
+ * angular size, as the viewer's eye sees them. They are drawn per output pixel after the warp, so
+ * they are as sharp as the projector and belong to no view. text.h makes pictures of text.
+ *
+ * The other way round, from the pixel under a mouse to the direction that it shows and from a
+ * direction to its pixel, is cupola_dome_ray and cupola_dome_pixel (dome.h).
+ */
+#ifndef CUPOLA_OVERLAY_H
+#define CUPOLA_OVERLAY_H
+
+#include <stdbool.h>
+
+#include "gl.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What an overlay shows. */
+enum cupola_overlay_kind {
+    CUPOLA_OVERLAY_PICTURE = 0, /* a texture */
+    CUPOLA_OVERLAY_CURSOR,      /* a ring with a dot in its middle, of `color` */
+    CUPOLA_OVERLAY_DISC,        /* a round spot of `color` */
+};
+
+/*
+ * One overlay: a flat rectangle that faces the eye, its middle in `direction`, so that it looks
+ * there as it does on a sheet of paper. All zero is a disc of no size: direction and width are
+ * needed.
+ */
+struct cupola_overlay {
+    enum cupola_overlay_kind kind; /* 0: a picture */
+    double direction[3];           /* of its middle, host's camera frame, from the eye, any length
+                                    * above 0 */
+    double
+        width_rad; /* angle between left and right edge at mid-height, above 0 and up to 5/6 pi */
+    double
+        height_rad; /* the same, from lower to upper edge; 0: square texels for a picture, as wide
+                        * as high for the others */
+    /* Counter-clockwise as the viewer sees it. At 0 its upper edge is up: towards +Y of the host's
+     * camera frame, or towards -Z where the direction is straight up and +Z straight down. */
+    double roll_rad;
+    /* A GL_TEXTURE_2D, its first row the lower edge, colour times alpha (premultiplied), filtered by
+     * a sampler object of Cupola's. Not asked of the other kinds. */
+    unsigned int texture;
+    bool mipmaps;   /* the texture has all its levels */
+    float color[4]; /* RGBA in linear light, not premultiplied; a picture is multiplied by it. All
+                     * zero: opaque white */
+};
+
+/*
+ * Draws overlays over what is in the target, in their order: an output's image after
+ * cupola_gl_warp. Edges are smooth; only pixels inside of the image circle and the screen change.
+ *
+ * output    index, as in cupola_gl_warp
+ * overlays  `count` of them
+ * count     0 or more
+ * target    as in cupola_gl_warp. Where the gl's encoding is sRGB and the target's format is, too,
+ *           colours are mixed in linear light; into other formats encoded numbers are mixed
+ * error     may be NULL
+ * returns   CUPOLA_OK
+ *           CUPOLA_ERROR_ARGUMENT if gl, or overlays with a count above 0, is NULL, there is no such
+ *           output, a field is outside of its range, or a texture is no GL_TEXTURE_2D or a colour of
+ *           the target
+ *           CUPOLA_ERROR_ORDER inside a view
+ *           CUPOLA_ERROR_CONTEXT, CUPOLA_ERROR_LOST
+ *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
+ * thread    the context's
+ * since     0.1
+ */
+CUPOLA_API int cupola_gl_overlay(cupola_gl *gl, int output, const struct cupola_overlay *overlays,
+                                 int count, const struct cupola_target *target,
+                                 struct cupola_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
