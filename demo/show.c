@@ -195,7 +195,8 @@ static void eye_places(const struct show *show, const struct host_camera *camera
 static bool draw_views(struct show *show, const struct show_frame *frame, const float host[16],
                        double near_distance, double far_distance, struct cupola_error *error)
 {
-    struct cupola_frame begin = {.near_distance = near_distance, .far_distance = far_distance};
+    struct cupola_frame begin = {
+        .depth = {.near_distance = near_distance, .far_distance = far_distance}};
     struct cupola_gl_view view;
     int views;
 

@@ -33,7 +33,7 @@ struct dome_host : osg::Referenced {
     bool right = false; /* the last image showed the scene */
 };
 
-const cupola_frame frame = {0.1, 100.0, {0.05f, 0.05f, 0.1f, 1.0f}};
+const cupola_frame frame = {{0.1, 100.0, false, false, false}, {0.05f, 0.05f, 0.1f, 1.0f}};
 
 /* Before OSG draws a view: binds the view's framebuffer and clears it. */
 struct view_begin : osg::Camera::DrawCallback {
@@ -123,8 +123,7 @@ void add_view(osgViewer::Viewer &viewer, osg::GraphicsContext *window, dome_host
 {
     const cupola_rect &rect = cupola_plan_view(host->plan, index)->rect;
     cupola_camera matrices;
-    cupola_plan_camera(host->plan, index, frame.near_distance, frame.far_distance, &matrices,
-                       nullptr);
+    cupola_plan_camera(host->plan, index, &frame.depth, &matrices, nullptr);
 
     osg::ref_ptr<osg::Camera> camera = new osg::Camera;
     camera->setGraphicsContext(window);

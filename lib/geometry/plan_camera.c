@@ -35,57 +35,100 @@ static void displacement4(const double eye[3], double m[16])
         m[12 + i] = -eye[i];
 }
 
-/* The frustum through the base rectangle; OpenGL 3.3 core, depth -1 to 1. */
-static void frustum4(const struct cupola_view *view, double near_distance, double far_distance,
-                     double m[16])
+/* The window's depth at the near and the far end, in clip space after the division by w. */
+static void depth_ends(const struct cupola_depth *depth, double *near_end, double *far_end)
+{
+    double lower = depth->zero_to_one ? 0 : -1;
+    *near_end = depth->reversed ? 1 : lower;
+    *far_end = depth->reversed ? lower : 1;
+}
+
+/*
+ * The frustum through the base rectangle. A point at distance d of the axis has the depth
+ * -a + b / d, of which the ends give a and b; so no difference of large numbers is taken, and
+ * reversed depth keeps the far end's precision.
+ */
+static void frustum4(const struct cupola_view *view, const struct cupola_depth *depth, double m[16])
 {
     double width = view->right - view->left, height = view->top - view->bottom;
-    double depth = far_distance - near_distance;
+    double near_end, far_end;
+    depth_ends(depth, &near_end, &far_end);
+    double near_of_far = depth->infinite ? 0 : depth->near_distance / depth->far_distance;
+    double b_of_near = (near_end - far_end) / (1 - near_of_far);
     memset(m, 0, 16 * sizeof *m);
     m[0] = 2 / width;
     m[5] = 2 / height;
     m[8] = (view->right + view->left) / width;
     m[9] = (view->top + view->bottom) / height;
-    m[10] = -(far_distance + near_distance) / depth;
+    m[10] = b_of_near * near_of_far - far_end;
     m[11] = -1;
-    m[14] = -2 * far_distance * near_distance / depth;
+    m[14] = b_of_near * depth->near_distance;
 }
 
 /*
- * Planes in the host's camera frame: rows of the whole matrix, added to and taken from its last
- * (Gribb and Hartmann, Fast extraction of viewing frustum planes, 2001).
+ * Planes from the base rectangle, not from the matrix: what is near is the same however depth runs.
+ * They are made in the view's frame and turned into the host's camera frame, the eye at `eye`.
  */
-static void extract_planes(const double clip[16], float planes[6][4])
+static void frustum_planes(const struct cupola_view *view, const double eye[3],
+                           const struct cupola_depth *depth, float planes[6][4])
 {
+    const double normals[6][3] = {{1, 0, view->left},   {-1, 0, -view->right},
+                                  {0, 1, view->bottom}, {0, -1, -view->top},
+                                  {0, 0, -1},           {0, 0, 1}};
+    const double offsets[6] = {0, 0, 0, 0, -depth->near_distance, depth->far_distance};
     for (int p = 0; p < 6; p++) {
-        double plane[4], sign = p % 2 == 0 ? 1 : -1;
-        for (int i = 0; i < 4; i++)
-            plane[i] = clip[4 * i + 3] + sign * clip[4 * i + p / 2];
-        double length = length3(plane);
-        for (int i = 0; i < 4; i++)
-            planes[p][i] = (float)(plane[i] / length);
+        double normal[3];
+        transform3_back(view->rotation, normals[p], normal);
+        scale3(normal, 1 / length3(normals[p]));
+        for (int i = 0; i < 3; i++)
+            planes[p][i] = (float)normal[i];
+        planes[p][3] = (float)(offsets[p] - dot3(normal, eye));
     }
+    if (depth->infinite)
+        memcpy(planes[5], (const float[4]){0, 0, 0, 1}, sizeof planes[5]);
 }
 
-int cupola_plan_camera(const cupola_plan *plan, int index, double near_distance,
-                       double far_distance, struct cupola_camera *camera,
-                       struct cupola_error *error)
+/* In place of zero what it stands for; what is left is such that floats hold the matrices. */
+static int complete_depth(const struct cupola_depth *wished, struct cupola_depth *depth,
+                          struct cupola_error *error)
 {
+    const double least = 1e-20, most = 1e20;
+    *depth = wished ? *wished : (struct cupola_depth){0};
+    if (depth->near_distance == 0)
+        depth->near_distance = 0.1;
+    if (depth->far_distance == 0)
+        depth->far_distance = 1000;
+    double near_distance = depth->near_distance, far_distance = depth->far_distance;
+    if (!(near_distance >= least && near_distance <= most))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "near distance is %g; allowed: %g to %g scene units, or 0 for 0.1",
+                         near_distance, least, most);
+    if (!depth->infinite && !(far_distance > near_distance && far_distance <= most))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "far distance is %g and near distance %g; allowed: beyond near and up to "
+                         "%g scene units, 0 for 1000, or infinite",
+                         far_distance, near_distance, most);
+    return CUPOLA_OK;
+}
+
+int cupola_plan_camera(const cupola_plan *plan, int index, const struct cupola_depth *depth,
+                       struct cupola_camera *camera, struct cupola_error *error)
+{
+    struct cupola_depth complete;
     if (!plan || !camera)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "camera" : "plan");
     if (index < 0 || index >= plan->view_count)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "view is %d; allowed: 0 to %d", index,
                          plan->view_count - 1);
-    if (!(near_distance > 0 && near_distance < far_distance && isfinite(far_distance)))
-        return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "near and far are %g and %g; allowed: 0 < near < far, both finite",
-                         near_distance, far_distance);
-    double eye[3], rotation[16], displacement[16], frustum[16], view[16], projection[16], clip[16];
+    int status = complete_depth(depth, &complete, error);
+    if (status != CUPOLA_OK)
+        return status;
+    double eye[3], rotation[16], displacement[16], frustum[16], view[16], projection[16];
     cupola_dome_to_camera(&plan->dome, plan->dome.rig.eye_m, eye);
     scale3(eye, plan->dome.rig.units_per_metre);
     rotation4(plan->views[index].rotation, rotation);
     displacement4(eye, displacement);
-    frustum4(&plan->views[index], near_distance, far_distance, frustum);
+    frustum4(&plan->views[index], &complete, frustum);
     if (plan->rotation_in_projection) {
         memcpy(view, displacement, sizeof view);
         multiply4(frustum, rotation, projection);
@@ -93,11 +136,10 @@ int cupola_plan_camera(const cupola_plan *plan, int index, double near_distance,
         multiply4(rotation, displacement, view);
         memcpy(projection, frustum, sizeof projection);
     }
-    multiply4(projection, view, clip);
     for (int i = 0; i < 16; i++) {
         camera->view[i] = (float)view[i];
         camera->projection[i] = (float)projection[i];
     }
-    extract_planes(clip, camera->planes);
+    frustum_planes(&plan->views[index], eye, &complete, camera->planes);
     return CUPOLA_OK;
 }

@@ -73,13 +73,8 @@ int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
     if (gl->view_open)
         return error_set(error, CUPOLA_ERROR_ORDER, "frame_begin inside of a view; end it first");
     struct cupola_frame wished = frame ? *frame : (struct cupola_frame){.clear_color = {0}};
-    if (wished.near_distance == 0)
-        wished.near_distance = 0.1;
-    if (wished.far_distance == 0)
-        wished.far_distance = 1000;
     struct cupola_camera camera;
-    int status =
-        cupola_plan_camera(&gl->plan, 0, wished.near_distance, wished.far_distance, &camera, error);
+    int status = cupola_plan_camera(&gl->plan, 0, &wished.depth, &camera, error);
     if (status != CUPOLA_OK)
         return status;
     gl->frame = wished;
@@ -97,14 +92,13 @@ int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
         return error_set(error, CUPOLA_ERROR_ORDER, "view_begin %s",
                          gl->view_open ? "inside of a view; end it first"
                                        : "before frame_begin; begin a frame first");
-    int status = cupola_plan_camera(&gl->plan, index, gl->frame.near_distance,
-                                    gl->frame.far_distance, &camera, error);
+    int status = cupola_plan_camera(&gl->plan, index, &gl->frame.depth, &camera, error);
     if (status != CUPOLA_OK || (status = context_check(error)) != CUPOLA_OK)
         return status;
 
     struct cupola_rect rect = gl->plan.views[index].rect;
     struct host_state state;
-    const GLfloat farthest = 1;
+    const GLfloat farthest = gl->frame.depth.reversed ? 0 : 1;
     host_state_save(&state, &gl->features);
     gl->host_target = state.target;
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);

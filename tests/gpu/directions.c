@@ -51,7 +51,7 @@ static void judge(const struct theatre_case *theatre, int output,
 static void visit_directions(const struct theatre_case *theatre, cupola_plan *plan, void *user)
 {
     struct fixture fixture;
-    struct cupola_gl_params params = {CUPOLA_FORMAT_RGBA32F, theatre->stage, {0}};
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F, .table = theatre->stage};
     fixture_make_of_plan(plan, &params, &fixture);
     fixture_paint(&fixture, PAINT_DIRECTIONS);
     for (int output = 0; output < theatre->rig.output_count; output++) {
@@ -101,7 +101,7 @@ static void a_rig_wrong_by_a_tenth_of_a_degree_or_a_pixel_is_caught(void **state
     for (int model = 0; cupola_lens_model_name(model); model++) {
         struct fixture fixture;
         struct cupola_rig rig = random_rig(&seed, 0.3), wrong;
-        struct cupola_gl_params params = {CUPOLA_FORMAT_RGBA32F, CUPOLA_TABLE_POINTS, {0}};
+        struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F};
         rig.outputs[0].width_px = 317;
         rig.outputs[0].height_px = 241;
         rig.outputs[0].circle = (struct cupola_circle){158.5, 120.5, 120.5};

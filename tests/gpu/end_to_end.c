@@ -145,8 +145,8 @@ static struct picture draw_output(const struct sight *sight)
 {
     const struct cupola_output *output = fixture_output(&sight->fixture, 0);
     struct picture image = picture_create(output->width_px, output->height_px);
-    struct cupola_frame frame = {.near_distance = 0.02 * sight->half_size[0],
-                                 .far_distance = 20.0 * sight->half_size[0]};
+    struct cupola_frame frame = {.depth = {.near_distance = 0.02 * sight->half_size[0],
+                                           .far_distance = 20.0 * sight->half_size[0]}};
     int views = cupola_gl_frame_begin(sight->fixture.gl, &frame, NULL);
     glEnable(GL_DEPTH_TEST);
     for (int i = 0; i < views; i++) {

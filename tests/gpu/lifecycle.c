@@ -158,7 +158,8 @@ static void near_and_far_must_be_distances(void **state)
     struct cupola_error error = {CUPOLA_OK, ""};
     (void)state;
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-        const struct cupola_frame frame = {.near_distance = bad[i][0], .far_distance = bad[i][1]};
+        const struct cupola_frame frame = {
+            .depth = {.near_distance = bad[i][0], .far_distance = bad[i][1]}};
         check_refused(cupola_gl_frame_begin(fixture.gl, &frame, &error), CUPOLA_ERROR_ARGUMENT,
                       &error, "near");
     }

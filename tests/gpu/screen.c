@@ -81,7 +81,7 @@ static void the_eye_may_move_the_world_on_the_screen_may_not(void **state)
     (void)state;
     uint64_t seed = 4001;
     struct cupola_rig rig = theatre(&seed);
-    struct cupola_gl_params params = {CUPOLA_FORMAT_RGBA32F, CUPOLA_TABLE_POINTS, {0}};
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F};
     float *images[EYES];
     size_t values = 4 * (size_t)rig.outputs[0].width_px * (size_t)rig.outputs[0].height_px;
     double worst_px = 0.0, worst_radii = 0.0, apart = 0.0;
@@ -126,7 +126,7 @@ static void a_rig_wrong_by_a_tenth_of_a_degree_or_a_pixel_is_caught(void **state
     (void)state;
     uint64_t seed = 4002;
     struct cupola_rig rig = theatre(&seed), wrong = rig;
-    struct cupola_gl_params params = {CUPOLA_FORMAT_RGBA32F, CUPOLA_TABLE_POINTS, {0}};
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F};
     struct fixture fixture;
     fixture_make(&rig, NULL, &params, &fixture);
     fixture_paint(&fixture, PAINT_SCREEN);

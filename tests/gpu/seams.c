@@ -51,7 +51,7 @@ static void check_guard(const struct cupola_rig *rig, enum cupola_layout layout,
                         int guard)
 {
     struct fixture fixture;
-    struct cupola_gl_params params = {CUPOLA_FORMAT_RGBA32F, CUPOLA_TABLE_POINTS, {0}};
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F};
     struct cupola_plan_params wish = {.layout = layout, .views = views, .guard_px = guard};
     fixture_make(rig, &wish, &params, &fixture);
     struct direction_error error = error_with_spoilt_rings(&fixture, guard - 1);

@@ -40,7 +40,8 @@ static struct cupola_rig rig_number(int number)
 
 static void set_stage(struct fixture *fixture, int stage)
 {
-    struct cupola_gl_params params = {CUPOLA_FORMAT_RGBA32F, (enum cupola_table)stage, {0}};
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F,
+                                      .table = (enum cupola_table)stage};
     fixture_replace_gl(fixture, &params);
 }
 

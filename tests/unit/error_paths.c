@@ -86,7 +86,7 @@ static void null_is_refused_everywhere(void **state)
     check_says(&error, cupola_rig_parse(NULL, NULL, NULL, &rig, &error), "text is NULL");
     check_says(&error, cupola_rig_parse("", NULL, NULL, NULL, &error), "rig is NULL");
     assert_null(plan);
-    assert_true(cupola_plan_camera(NULL, 0, 1, 2, &camera, NULL) == CUPOLA_ERROR_ARGUMENT);
+    assert_true(cupola_plan_camera(NULL, 0, NULL, &camera, NULL) == CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_plan_select(NULL, vector), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_plan_texel(NULL, 0, vector, same), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_reference_warp(NULL, 0, texel, NULL, texel), CUPOLA_ERROR_ARGUMENT);

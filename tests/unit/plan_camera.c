@@ -16,7 +16,9 @@ static struct cupola_camera camera_of(const cupola_plan *plan, int view, double 
 {
     struct cupola_camera camera;
     struct cupola_error error = {CUPOLA_OK, ""};
-    if (cupola_plan_camera(plan, view, near_distance, far_distance, &camera, &error) != CUPOLA_OK)
+    const struct cupola_depth depth = {.near_distance = near_distance,
+                                       .far_distance = far_distance};
+    if (cupola_plan_camera(plan, view, &depth, &camera, &error) != CUPOLA_OK)
         fail_msg("camera: %s", error.message);
     return camera;
 }
@@ -250,13 +252,21 @@ static void a_plane_measures_distances(void **state)
 static void impossible_distances_are_refused_and_change_nothing(void **state)
 {
     (void)state;
-    static const double bad[][2] = {{0.0, 1.0},
-                                    {-1.0, 1.0},
-                                    {1.0, 1.0},
-                                    {2.0, 1.0},
-                                    {(double)NAN, 1.0},
-                                    {0.1, (double)NAN},
-                                    {0.1, (double)INFINITY}};
+    static const struct cupola_depth bad[] = {
+        {-1.0, 1.0, false, false, false},
+        {1.0, 1.0, false, false, false},
+        {2.0, 1.0, false, false, true},
+        {2000.0, 0.0, false, true, true},
+        {0.0, 0.1, false, true, false},
+        {(double)NAN, 1.0, false, false, false},
+        {1e-21, 1.0, false, false, false},
+        {0.1, (double)NAN, false, false, false},
+        {0.1, (double)INFINITY, false, true, true},
+        {0.1, 1e21, false, true, true},
+        {(double)INFINITY, 0.0, true, true, true},
+        {1e21, 0.0, true, true, true},
+        {-0.1, 0.0, true, false, true},
+    };
     struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 90.0, 64);
     cupola_plan *plan = plan_of(&rig, NULL);
     struct cupola_camera camera, before;
@@ -264,12 +274,13 @@ static void impossible_distances_are_refused_and_change_nothing(void **state)
     memcpy(&before, &camera, sizeof before);
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         struct cupola_error error = {CUPOLA_OK, ""};
-        assert_int_equal(cupola_plan_camera(plan, 0, bad[i][0], bad[i][1], &camera, &error),
+        assert_int_equal(cupola_plan_camera(plan, 0, &bad[i], &camera, &error),
                          CUPOLA_ERROR_ARGUMENT);
+        assert_non_null(strstr(error.message, "distance is "));
         assert_non_null(strstr(error.message, "allowed"));
     }
-    assert_int_equal(cupola_plan_camera(plan, -1, 0.1, 1.0, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_plan_camera(plan, 2, 0.1, 1.0, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_plan_camera(plan, -1, NULL, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_plan_camera(plan, 2, NULL, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
     assert_memory_equal(&camera, &before, sizeof camera);
     cupola_plan_destroy(&plan);
 }

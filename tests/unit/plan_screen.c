@@ -122,7 +122,7 @@ static void nothing_in_place_of_a_plan_or_a_dome_is_an_error_and_no_crash(void *
     assert_null(cupola_plan_report(NULL));
     assert_int_equal(cupola_plan_select(NULL, forward), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_plan_texel(NULL, 0, forward, place), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_plan_camera(NULL, 0, 1, 2, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_plan_camera(NULL, 0, NULL, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
     cupola_dome_destroy(NULL);
     cupola_plan_destroy(NULL);
 }

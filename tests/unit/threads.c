@@ -102,7 +102,7 @@ static void warp(struct worker *worker)
 {
     const struct shared *shared = worker->shared;
     for (int i = 0; i < cupola_plan_view_count(shared->plan); i++)
-        worker->failed |= cupola_plan_camera(shared->plan, i, 0.1, 100, &worker->answers.cameras[i],
+        worker->failed |= cupola_plan_camera(shared->plan, i, NULL, &worker->answers.cameras[i],
                                              NULL) != CUPOLA_OK;
     worker->failed |= cupola_reference_warp(shared->plan, 0, shared->atlas, NULL,
                                             worker->answers.image) != CUPOLA_OK;

@@ -188,13 +188,13 @@ struct cupola_camera {
 };
 
 /*
- * Near and far, and how depth runs between them in clip space. All zero: 0.1 to 1000, from -1 to 1 as
- * OpenGL has it. Cupola makes the matrices and clears the views to what belongs to the far end;
+ * Near and far, and how depth runs between them in clip space. All zero: 0.1 to 1000, from -1 to 1
+ * as OpenGL has it. Cupola makes the matrices and clears the views to what belongs to the far end;
  * glClipControl, glDepthFunc and glDepthRange are the host's.
  */
 struct cupola_depth {
-    double near_distance; /* along each view's axis, scene units, above 0; 0: 0.1 */
-    double far_distance;  /* the same, finite and beyond near; 0: 1000 */
+    double near_distance; /* along each view's axis, scene units, 1e-20 to 1e20; 0: 0.1 */
+    double far_distance;  /* the same, beyond near and up to 1e20; 0: 1000 */
     bool infinite;        /* there is no far end: far_distance is not asked */
     bool reversed;        /* depth falls from near to far: views are cleared to 0, and nearer is
                            * GL_GREATER */
@@ -210,7 +210,9 @@ struct cupola_depth {
  *          depth
  * camera   out; untouched on failure
  * error    may be NULL
- * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if plan or camera is NULL, there is no such view, or a distance is
+ *          not as said above
  * thread   any
  * since    0.1
  */
