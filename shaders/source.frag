@@ -24,7 +24,7 @@ void main()
 #else
     Place place;
 #if SOURCE == SOURCE_DOMEMASTER
-    coverage = min(coverage, domemaster_place(direction, place));
+    coverage = min(coverage, domemaster_place(direction, vec2(textureSize(picture, 0)), place));
 #else
     place = equirectangular_place(direction);
 #endif

@@ -4,6 +4,7 @@
 uniform mat3 source_rotation;
 uniform vec3 source_center;    // m, dome frame
 uniform float source_half_fov; // of a domemaster
+uniform bool source_mipmaps;   // the filter uses them
 
 // A place in a picture, 0 to 1, and its derivatives per pixel.
 struct Place {
@@ -34,15 +35,25 @@ vec2 domemaster_change(vec3 at, float across, float angle, vec3 change)
                                     round * angle * dot(round, change.xy) / across);
 }
 
-// Returns the part of the pixel inside of the picture's rim.
-float domemaster_place(Varying direction, out Place place)
+// How far inside of the rim, in radii, the filter's taps meet nothing of what lies beyond: 1.5 texels
+// of the level that it takes.
+float domemaster_inset(Place place, vec2 size)
+{
+    float footprint = max(length(size * place.dx), length(size * place.dy));
+    float texels = source_mipmaps ? 1.5 * max(footprint, 1.0) : 1.5;
+    return 2.0 * texels / min(size.x, size.y);
+}
+
+// size: of the picture, px. Returns the part of the pixel inside of its rim.
+float domemaster_place(Varying direction, vec2 size, out Place place)
 {
     vec3 at = direction.at;
     float across = length(at.xy);
     float angle = atan(across, -at.z);
-    float factor = across > 0.0 ? 0.5 * angle / (source_half_fov * across) : 0.0;
-    place = Place(0.5 + factor * at.xy, domemaster_change(at, across, angle, direction.dx),
-                  domemaster_change(at, across, angle, direction.dy));
+    place.dx = domemaster_change(at, across, angle, direction.dx);
+    place.dy = domemaster_change(at, across, angle, direction.dy);
+    float r = min(angle / source_half_fov, max(1.0 - domemaster_inset(place, size), 0.0));
+    place.at = 0.5 + (across > 0.0 ? 0.5 * r / across : 0.0) * at.xy;
     if (source_half_fov > 3.14159)
         return 1.0;
     vec2 change = vec2(angle_change(at, across, direction.dx),

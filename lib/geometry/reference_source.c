@@ -87,7 +87,7 @@ static void show_pixel(const struct projector *projector, const struct source_fr
 {
     double circle[2], place[2], sampled[4];
     struct varying lens, point, inside, direction;
-    int face = 0;
+    int face = 0, side = picture->width < picture->height ? picture->width : picture->height;
     circle_place(projector, x_px, y_px, circle);
     lens_ray(projector, circle, &lens);
     screen_point(projector, &lens, &point);
@@ -96,7 +96,7 @@ static void show_pixel(const struct projector *projector, const struct source_fr
     memcpy(inside.at, point.at, sizeof inside.at);
     source_direction(frame, &inside, &direction);
     if (picture->kind == CUPOLA_SOURCE_DOMEMASTER)
-        coverage = fmin(coverage, domemaster_place(frame, &direction, place));
+        coverage = fmin(coverage, domemaster_place(frame, &direction, side, place));
     else if (picture->kind == CUPOLA_SOURCE_EQUIRECTANGULAR)
         equirectangular_place(direction.at, place);
     else

@@ -90,13 +90,22 @@ static double angle_change(const double at[3], double across, const double chang
     return (across * change[2] - at[2] * outwards) / dot3(at, at);
 }
 
+/*
+ * Texels at a picture's rim are mixed with the black beyond it, and the pixel there is mixed with
+ * the border: so that it happens once, places stay this far inside of the rim. From there no tap of
+ * a bilinear filter meets a texel that a rim along the rows cuts, and hardly one that one across
+ * does: white stays white within 0.005.
+ */
+static const double domemaster_inset_texels = 1.5;
+
 double domemaster_place(const struct source_frame *frame, const struct varying *direction,
-                        double place[2])
+                        int side_px, double place[2])
 {
     const double *at = direction->at;
     double across = hypot(at[0], at[1]);
     double angle = atan2(across, -at[2]);
-    double factor = across > 0 ? 0.5 * angle / (frame->half_fov * across) : 0;
+    double r = fmin(angle / frame->half_fov, fmax(1 - 2 * domemaster_inset_texels / side_px, 0));
+    double factor = across > 0 ? 0.5 * r / across : 0;
     for (int i = 0; i < 2; i++)
         place[i] = 0.5 + factor * at[i];
     if (frame->half_fov >= pi)

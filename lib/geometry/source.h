@@ -29,11 +29,11 @@ void source_direction(const struct source_frame *frame, const struct varying *po
                       struct varying *direction);
 
 /*
- * Places in a picture from 0 to 1, {across, up}. A domemaster ends at its rim: what is returned is
- * the part of the pixel inside of it.
+ * Places in a picture from 0 to 1, {across, up}. A domemaster, whose shorter side is side_px, ends
+ * at its rim: what is returned is the part of the pixel inside of it.
  */
 double domemaster_place(const struct source_frame *frame, const struct varying *direction,
-                        double place[2]);
+                        int side_px, double place[2]);
 void equirectangular_place(const double direction[3], double place[2]);
 
 /* Face 0 to 5 (+X, -X, +Y, -Y, +Z, -Z) and the place in it; OpenGL 3.3 core section 3.8.10. */

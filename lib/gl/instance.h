@@ -17,8 +17,8 @@
 
 /* What shows pictures of one kind. */
 struct source_program {
-    GLuint program;                                  /* 0 where the kind was not asked for */
-    GLint target_corner, rotation, center, half_fov; /* locations of the uniforms */
+    GLuint program; /* 0 where the kind was not asked for */
+    GLint target_corner, rotation, center, half_fov, mipmaps; /* locations of the uniforms */
 };
 
 /* Tables and programs of one output. */

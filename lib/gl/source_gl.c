@@ -49,6 +49,7 @@ int source_programs_create(cupola_gl *gl, int output, struct cupola_error *error
         made->rotation = glGetUniformLocation(made->program, "source_rotation");
         made->center = glGetUniformLocation(made->program, "source_center");
         made->half_fov = glGetUniformLocation(made->program, "source_half_fov");
+        made->mipmaps = glGetUniformLocation(made->program, "source_mipmaps");
     }
     return CUPOLA_OK;
 }
@@ -140,6 +141,7 @@ void source_draw(const cupola_gl *gl, int output, const struct cupola_source *so
     set_sampler(gl->sampler, source);
     glUseProgram(shown->program);
     glUniform2f(shown->target_corner, (GLfloat)place->x, (GLfloat)place->y);
+    glUniform1i(shown->mipmaps, source->mipmaps);
     set_frame(shown, &frame);
     draw_fullscreen(gl->vertex_array);
     if (cube)
