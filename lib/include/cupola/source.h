@@ -4,7 +4,8 @@
  *   domemaster       a round picture: the middle is the dome's axis, and the angle from it grows
  *                    evenly up to the rim of the largest circle in a square. On a planetarium,
  *                    whose axis is the zenith, the front is at the bottom. What Cupola itself shows
- *                    through an angular lens at the dome's centre is such a picture
+ *                    through an angular lens at the dome's centre is such a picture. Its last 1.5
+ *                    texels, which may be mixed with what lies beyond, are not taken
  *   equirectangular  longitude and latitude, twice as wide as high: the middle is straight ahead
  *                    (-Z of the host's camera), left and right edge meet behind, the upper edge is
  *                    straight up
