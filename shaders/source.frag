@@ -30,7 +30,9 @@ void main()
 #endif
     vec4 light = textureGrad(picture, place.at, place.dx, place.dy);
 #endif
-    color = border;
     if (coverage > 0.0)
-        color = mix(border, light, coverage);
+        light = mix(border, light, coverage);
+    else
+        light = border;
+    color = pixel_color(light, pixel);
 }

@@ -26,11 +26,16 @@ vec2 view_hit(int view, vec3 ray)
     return q.xy / -q.z;
 }
 
+// From the base plane to a place in the view's base rectangle, 0 to 1.
+vec2 view_place(int view, vec2 base)
+{
+    return (base - view_base[view].xy) / view_base[view].zw;
+}
+
 // From the base plane to coordinates in the atlas, 0 to 1.
 vec2 view_texel(int view, vec2 base)
 {
-    vec2 place = (base - view_base[view].xy) / view_base[view].zw;
-    return view_rect[view].xy + place * view_rect[view].zw;
+    return view_rect[view].xy + view_place(view, base) * view_rect[view].zw;
 }
 
 vec2 atlas_place(vec3 ray)

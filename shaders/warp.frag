@@ -3,7 +3,9 @@
 
 uniform vec2 target_corner; // of the output's image in the target, px
 uniform vec4 border;        // of pixels that are not lit
+#if STORAGE == STORAGE_ATLAS
 uniform sampler2D atlas;
+#endif
 #if STAGE != STAGE_NONE
 uniform sampler2D table;
 #endif
@@ -16,25 +18,38 @@ void main()
 #if STAGE == STAGE_NONE
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
-    vec2 place = atlas_place(eye_ray(point.at));
+    vec3 ray = eye_ray(point.at);
 #else
     vec4 entry = texelFetch(table, ivec2(pixel), 0);
 #if STAGE == STAGE_ANGLES
     float coverage = entry.z;
     vec2 sines = sin(entry.xy), cosines = cos(entry.xy);
-    vec2 place = atlas_place(vec3(sines.x * cosines.y, sines.x * sines.y, -cosines.x));
+    vec3 ray = vec3(sines.x * cosines.y, sines.x * sines.y, -cosines.x);
 #elif STAGE == STAGE_SINES
     float coverage = length(entry.xy);
-    vec2 place = atlas_place(vec3(entry.x * entry.w, entry.x * entry.z, -entry.y));
+    vec3 ray = vec3(entry.x * entry.w, entry.x * entry.z, -entry.y);
 #elif STAGE == STAGE_COORDINATES
     float coverage = entry.z;
-    vec2 place = entry.xy;
 #else
     float coverage = entry.w;
-    vec2 place = atlas_place(eye_ray(entry.xyz));
+    vec3 ray = eye_ray(entry.xyz);
 #endif
 #endif
-    color = border;
+
+    vec4 light = border;
+#if STORAGE == STORAGE_ATLAS
+#if STAGE == STAGE_COORDINATES
+    vec2 place = entry.xy;
+#else
+    vec2 place = atlas_place(ray);
+#endif
     if (coverage > 0.0)
-        color = mix(border, textureLod(atlas, place, 0.0), coverage);
+        light = mix(border, textureLod(atlas, place, 0.0), coverage);
+#else
+    int view = view_select(ray);
+    vec2 place = view_place(view, view_hit(view, ray));
+    if (coverage > 0.0)
+        light = mix(border, image_light(view, place), coverage);
+#endif
+    color = pixel_color(light, pixel);
 }

@@ -110,6 +110,10 @@ void host_features_find(struct host_features *features)
         features->float_targets || epoxy_has_gl_extension("GL_EXT_color_buffer_half_float");
     features->float_filter = has(features, (struct origin)DESKTOP("GL_OES_texture_float_linear"));
     features->float_blend = has(features, (struct origin)DESKTOP("GL_EXT_float_blend"));
+    features->srgb_always = features->es && !epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
+    features->texture_sizes = has(features, (struct origin){33, NULL, 31, NULL});
+    features->texture_units = 2;
+    features->texture_arrays = false;
     glGetIntegerv(GL_MAX_DRAW_BUFFERS, &features->draw_buffers);
     if (features->draw_buffers > HOST_DRAW_BUFFERS_MAX)
         features->draw_buffers = HOST_DRAW_BUFFERS_MAX;
@@ -283,13 +287,15 @@ static void save_bindings(struct host_state *state)
     glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &state->vertex_array);
     glGetIntegerv(GL_RENDERBUFFER_BINDING, &state->renderbuffer);
     glGetIntegerv(GL_ACTIVE_TEXTURE, &state->active_texture);
-    for (int unit = 0; unit < HOST_TEXTURE_UNITS; unit++) {
+    for (int unit = 0; unit < state->features->texture_units; unit++) {
         glActiveTexture((GLenum)(GL_TEXTURE0 + unit));
         glGetIntegerv(GL_TEXTURE_BINDING_2D, &state->textures[unit]);
         glGetIntegerv(GL_SAMPLER_BINDING, &state->samplers[unit]);
         glBindSampler((GLuint)unit, 0);
     }
     glActiveTexture(GL_TEXTURE0);
+    if (state->features->texture_arrays)
+        glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &state->texture_array);
 }
 
 static void save_pixel_transfer(struct host_state *state)
@@ -337,10 +343,14 @@ static void restore_fixed_function(const struct host_state *state)
 
 static void restore_bindings(const struct host_state *state)
 {
-    for (int unit = 0; unit < HOST_TEXTURE_UNITS; unit++) {
+    for (int unit = 0; unit < state->features->texture_units; unit++) {
         glActiveTexture((GLenum)(GL_TEXTURE0 + unit));
         glBindTexture(GL_TEXTURE_2D, (GLuint)state->textures[unit]);
         glBindSampler((GLuint)unit, (GLuint)state->samplers[unit]);
+    }
+    if (state->features->texture_arrays) {
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, (GLuint)state->texture_array);
     }
     glActiveTexture((GLenum)state->active_texture);
     glBindRenderbuffer(GL_RENDERBUFFER, (GLuint)state->renderbuffer);

@@ -10,7 +10,7 @@
 
 enum {
     HOST_CAPABILITIES_MAX = 32,
-    HOST_TEXTURE_UNITS = 2,
+    HOST_TEXTURE_UNITS_MAX = 16, /* as many as every GL has */
     HOST_PIXEL_STORES = 10,
     HOST_DRAW_BUFFERS_MAX = 16, /* as many as the GL has names for */
 };
@@ -28,8 +28,13 @@ struct host_features {
     bool half_float_targets; /* drawing into RGBA16F */
     bool float_filter;       /* bilinear filtering of RGBA32F */
     bool float_blend;        /* blending in targets of 32 bit floats */
+    bool srgb_always;        /* what is drawn into sRGB formats is encoded, wished or not */
+    bool texture_sizes;      /* can be asked for */
     int draw_buffers;
     bool capabilities[HOST_CAPABILITIES_MAX];
+    /* What is used, not what there is: texture units from 0 on, and array textures on unit 0. */
+    int texture_units;
+    bool texture_arrays;
 };
 
 /* Where drawing goes: what view_begin changes for the host until view_end. */
@@ -57,15 +62,16 @@ struct host_state {
     GLint vertex_array;
     GLint renderbuffer;
     GLint active_texture;
-    GLint textures[HOST_TEXTURE_UNITS];
-    GLint samplers[HOST_TEXTURE_UNITS];
+    GLint textures[HOST_TEXTURE_UNITS_MAX];
+    GLint texture_array;
+    GLint samplers[HOST_TEXTURE_UNITS_MAX];
     GLint unpack_buffer;
     GLint pack_buffer;
     GLint pixel_stores[HOST_PIXEL_STORES];
     GLint clamp_read_color;
 };
 
-/* Slow: once per context. */
+/* Slow: once per context. Two texture units are used. */
 void host_features_find(struct host_features *features);
 
 void host_target_save(struct host_target *target);

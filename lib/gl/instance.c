@@ -148,6 +148,16 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (!cupola_table_name((int)params->table))
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "table stage is %d; allowed: 0 to %d",
                          (int)params->table, TABLE_COUNT - 1);
+    if (params->storage < CUPOLA_STORAGE_ATLAS || params->storage > CUPOLA_STORAGE_LAYERS)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "storage is %d; allowed: %d to %d",
+                         (int)params->storage, CUPOLA_STORAGE_ATLAS, CUPOLA_STORAGE_LAYERS);
+    if (params->storage != CUPOLA_STORAGE_ATLAS && params->table == CUPOLA_TABLE_COORDINATES)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "table stage is coordinates, which are those of the atlas; allowed for "
+                         "the host's textures: points, none, angles, sines");
+    if (params->encoding < CUPOLA_ENCODING_LINEAR || params->encoding > CUPOLA_ENCODING_SRGB)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "encoding is %d; allowed: %d to %d",
+                         (int)params->encoding, CUPOLA_ENCODING_LINEAR, CUPOLA_ENCODING_SRGB);
     if (params->sources >> SOURCE_KINDS)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "sources is 0x%x; allowed: 0 to 0x%x",
                          params->sources, (1u << SOURCE_KINDS) - 1u);
@@ -160,13 +170,20 @@ static void destroy_objects(cupola_gl *gl)
         warp_pass_destroy(&gl->passes[i]);
     views_destroy(gl);
     glDeleteSamplers(1, &gl->sampler);
+    glDeleteSamplers(1, &gl->image_sampler);
+    glDeleteSamplers(1, &gl->gain_sampler);
     glDeleteVertexArrays(1, &gl->vertex_array);
 }
 
 static int create_objects(cupola_gl *gl, struct cupola_error *error)
 {
     glGenVertexArrays(1, &gl->vertex_array);
-    int status = shows_source(gl, CUPOLA_SOURCE_VIEWS) ? views_create(gl, error) : CUPOLA_OK;
+    bool views = shows_source(gl, CUPOLA_SOURCE_VIEWS);
+    int status = CUPOLA_OK;
+    if (views && gl->params.storage == CUPOLA_STORAGE_ATLAS)
+        status = views_create(gl, error);
+    else if (views)
+        view_images_create(gl);
     if (gl->params.sources >> CUPOLA_SOURCE_DOMEMASTER)
         glGenSamplers(1, &gl->sampler);
     for (int i = 0; status == CUPOLA_OK && i < gl->plan.dome.rig.output_count; i++)
@@ -196,6 +213,8 @@ int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *par
         made->params.sources = 1u << CUPOLA_SOURCE_VIEWS;
     struct host_state state;
     host_features_find(&made->features);
+    made->features.texture_units = gain_unit(made);
+    made->features.texture_arrays = made->params.storage == CUPOLA_STORAGE_LAYERS;
     host_state_save(&state, &made->features);
     status = create_objects(made, error);
     if (status != CUPOLA_OK)

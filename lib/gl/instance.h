@@ -15,19 +15,30 @@
 #include "geometry/source.h"
 #include "host_state.h"
 
-/* What shows pictures of one kind. */
-struct source_program {
-    GLuint program; /* 0 where the kind was not asked for */
-    GLint target_corner, rotation, center, half_fov, mipmaps; /* locations of the uniforms */
+/* What shows one kind of source on one output. */
+struct warp_program {
+    GLuint program;                            /* 0 where the kind was not asked for */
+    GLint target_corner, encoded;              /* locations of uniforms; -1: not there */
+    GLint rotation, center, half_fov, mipmaps; /* of pictures */
+    GLint image_rect, image_layer;             /* of views that are the host's textures */
 };
 
 /* Tables and programs of one output. */
 struct warp_pass {
-    GLuint program;
-    GLint target_corner; /* location of the uniform */
-    GLuint table;        /* 0 for the stage none */
-    GLuint points;       /* 0 until asked for; the same as `table` for the stage points */
-    struct source_program sources[SOURCE_KINDS]; /* that of the views stays empty */
+    GLuint table;  /* 0 for the stage none */
+    GLuint points; /* 0 until asked for; the same as `table` for the stage points */
+    GLuint gain;   /* the host's; 0: none */
+    bool gained;   /* there are programs with gain */
+    /* Without gain, and with it: those are made when a gain is set for the first time. */
+    struct warp_program programs[2][SOURCE_KINDS];
+};
+
+/* Where views are that the host brings: as cupola_gl_views_import was told. */
+struct view_images {
+    bool given;
+    GLuint textures[CUPOLA_VIEWS_MAX];
+    GLfloat rects[4 * CUPOLA_VIEWS_MAX]; /* x, y, width, height, texels; all zero: all of it */
+    GLfloat layers[CUPOLA_VIEWS_MAX];
 };
 
 struct cupola_gl {
@@ -37,6 +48,9 @@ struct cupola_gl {
     GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
     GLuint atlas, depth, framebuffer; /* 0 without views */
     GLuint sampler;                   /* of pictures; 0 where none are shown */
+    GLuint image_sampler;             /* of views that are the host's textures */
+    GLuint gain_sampler;
+    struct view_images images;
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
     struct cupola_frame frame;
     bool frame_begun;
@@ -51,10 +65,17 @@ int context_check(struct cupola_error *error);
 int views_create(cupola_gl *gl, struct cupola_error *error);
 void views_destroy(cupola_gl *gl);
 
+/* Whether gl and an output of it may be worked on now. */
+int output_check(const cupola_gl *gl, int output, struct cupola_error *error);
+
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
 void warp_pass_destroy(struct warp_pass *pass);
-int source_programs_create(cupola_gl *gl, int output, struct cupola_error *error);
+
+/* The programs of one output for all kinds that were asked for, with gain or without. */
+int warp_programs_create(const cupola_gl *gl, int output, bool gained,
+                         struct warp_program made[SOURCE_KINDS], struct cupola_error *error);
+void warp_programs_destroy(struct warp_program programs[SOURCE_KINDS]);
 
 /* Whether a kind of source was asked for at creation. */
 static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kind)
@@ -62,12 +83,19 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
     return gl->params.sources >> (unsigned int)kind & 1u;
 }
 
+/* Lines that images.glsl and light.glsl rely on. */
+enum { WARP_LINES_MAX = 320 };
+
 /*
- * Draws a picture into the framebuffer that is bound, with its area set. The source has been
- * checked.
+ * Compiles what shows pictures of a kind, with `lines` before its files, and sets all but what
+ * differs from frame to frame. 0 on failure.
  */
-void source_draw(const cupola_gl *gl, int output, const struct cupola_source *source,
-                 const struct cupola_target *place);
+GLuint source_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
+                             struct cupola_error *error);
+
+/* Sets texture and uniforms of a picture that has been checked; the program is in use. */
+void source_bind(const cupola_gl *gl, const struct warp_program *program,
+                 const struct cupola_source *source);
 
 /* Also whether its kind was asked for and its texture is one. */
 int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
@@ -75,9 +103,33 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
 
 /*
  * Binds a texture to the active unit; false, and no error left in the GL, if there is none of that
- * name or it is of another kind. The target is GL_TEXTURE_2D or GL_TEXTURE_CUBE_MAP.
+ * name or it is of another kind. The target is GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY or
+ * GL_TEXTURE_CUBE_MAP.
  */
 bool texture_bind(GLenum target, GLuint name);
+
+/*
+ * Width, height and layers of the base level of a texture that is bound. False where the GL cannot
+ * be asked, as OpenGL ES 3.0; a texture without texels has size 0.
+ */
+bool texture_size(const struct host_features *features, GLenum target, GLint size[3]);
+
+/*
+ * The texture units of the warp: the picture or the views' first texture, the table, further
+ * textures of views, the gain.
+ */
+enum { UNIT_IMAGE = 0, UNIT_TABLE = 1 };
+GLint view_image_unit(int view);
+GLint gain_unit(const cupola_gl *gl);
+
+/* The views that the host brings; bind also sets what the program in use wants of them. */
+void view_images_create(cupola_gl *gl);
+int view_images_check(const cupola_gl *gl, struct cupola_error *error);
+void view_images_bind(const cupola_gl *gl, const struct warp_program *program);
+
+/* The gain of an output that has one. */
+int gain_check(const cupola_gl *gl, int output, struct cupola_error *error);
+void gain_bind(const cupola_gl *gl, int output);
 
 /*
  * A stage's table of one output by the C functions, for GLs that cannot draw into floats. 0 on
@@ -108,6 +160,19 @@ GLuint framebuffer_create(GLuint texture);
 /* A 2-D texture without mipmaps, clamped to its edge. 0 on failure. */
 GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
                       struct cupola_error *error);
+
+/*
+ * For the framebuffer that target_bind has bound: whether the GL will encode what is drawn into it,
+ * which only OpenGL ES does without being asked.
+ */
+bool target_encodes(const struct host_features *features);
+
+/* Whether draw buffer 0 of the framebuffer that is bound has channels of 32 bit floats. */
+bool target_is_float32(void);
+
+/* An error where an encoding cannot be had because the GL encodes. */
+int target_check_encoding(const struct host_features *features, GLuint framebuffer,
+                          enum cupola_encoding encoding, struct cupola_error *error);
 
 void draw_fullscreen(GLuint vertex_array);
 

@@ -268,20 +268,6 @@ static int check_images(const cupola_theatre *theatre, const unsigned int *image
     return CUPOLA_OK;
 }
 
-/* Whether draw buffer 0 of the framebuffer that is bound has channels of 32 bit floats. */
-static bool target_is_float32(void)
-{
-    GLint buffer = GL_NONE, type = GL_NONE, bits = 0;
-    glGetIntegerv(GL_DRAW_BUFFER0, &buffer);
-    if (buffer == GL_NONE || buffer == GL_BACK)
-        return false;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, (GLenum)buffer,
-                                          GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, (GLenum)buffer,
-                                          GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, &bits);
-    return type == GL_FLOAT && bits == 32;
-}
-
 /* The images of projectors after the first are added by blending. */
 static int check_blending(const cupola_theatre *theatre, GLuint framebuffer,
                           struct cupola_error *error)

@@ -70,6 +70,10 @@ int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
     if (!shows_source(gl, CUPOLA_SOURCE_VIEWS))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "gl was made without views; allowed: one whose sources have them");
+    if (gl->params.storage != CUPOLA_STORAGE_ATLAS)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "gl was made for textures of the host's, which cupola_gl_views_import "
+                         "takes; allowed: one with storage atlas");
     if (gl->view_open)
         return error_set(error, CUPOLA_ERROR_ORDER, "frame_begin inside of a view; end it first");
     struct cupola_frame wished = frame ? *frame : (struct cupola_frame){.clear_color = {0}};

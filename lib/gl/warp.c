@@ -1,5 +1,9 @@
 /* Tables and the warp itself. */
+#include <stdio.h>
+#include <string.h>
+
 #include "error.h"
+#include "host_cube.h"
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
@@ -42,60 +46,122 @@ static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table st
     return table;
 }
 
-static GLuint warp_program_create(const cupola_gl *gl, int output, struct cupola_error *error)
+static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
+                                   struct cupola_error *error)
 {
     static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},
-        {"points.glsl", shader_points_glsl},
-        {"views.glsl", shader_views_glsl},
-        {"warp.frag", shader_warp_frag},
+        {"lens.glsl", shader_lens_glsl},   {"points.glsl", shader_points_glsl},
+        {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
+        {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
     };
-    char defines[PROGRAM_DEFINES_MAX];
+    char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->params.table, defines);
-    GLuint program = program_create(defines, files, 4, error);
+    strcat(defines, lines);
+    GLuint program = program_create(defines, files, 6, error);
     if (!program)
         return 0;
     glUseProgram(program);
     program_set_projector(program, &gl->plan.dome, output);
     program_set_views(program, &gl->plan);
-    glUniform4fv(glGetUniformLocation(program, "border"), 1, gl->params.border);
-    glUniform1i(glGetUniformLocation(program, "atlas"), 0);
-    glUniform1i(glGetUniformLocation(program, "table"), 1);
+    glUniform1i(glGetUniformLocation(program, "atlas"), UNIT_IMAGE);
+    glUniform1i(glGetUniformLocation(program, "table"), UNIT_TABLE);
+    GLint units[CUPOLA_VIEWS_MAX];
+    for (int i = 0; i < CUPOLA_VIEWS_MAX; i++)
+        units[i] = view_image_unit(i);
+    if (gl->params.storage != CUPOLA_STORAGE_ATLAS)
+        glUniform1iv(glGetUniformLocation(program, "images"),
+                     gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count, units);
     return program;
+}
+
+/* What light.glsl and images.glsl rely on. */
+static void warp_lines(const cupola_gl *gl, bool gained, char lines[WARP_LINES_MAX])
+{
+    enum { LINEAR, SRGB, ASKED };
+    int encoding = gl->params.encoding == CUPOLA_ENCODING_LINEAR ? LINEAR
+                   : gl->features.srgb_always                    ? ASKED
+                                                                 : SRGB;
+    snprintf(lines, WARP_LINES_MAX,
+             "#define STORAGE_ATLAS %d\n#define STORAGE_TEXTURES %d\n#define STORAGE_LAYERS %d\n"
+             "#define STORAGE %d\n#define GAIN %d\n#define ENCODING_SRGB %d\n"
+             "#define ENCODING_ASKED %d\n#define ENCODING %d\n",
+             CUPOLA_STORAGE_ATLAS, CUPOLA_STORAGE_TEXTURES, CUPOLA_STORAGE_LAYERS,
+             (int)gl->params.storage, gained, SRGB, ASKED, encoding);
+}
+
+static int warp_program_create(const cupola_gl *gl, int output, int kind, bool gained,
+                               struct warp_program *made, struct cupola_error *error)
+{
+    char lines[WARP_LINES_MAX];
+    warp_lines(gl, gained, lines);
+    GLuint program = kind == CUPOLA_SOURCE_VIEWS
+                         ? views_program_create(gl, output, lines, error)
+                         : source_program_create(gl, output, kind, lines, error);
+    if (!program)
+        return error->status;
+    glUniform4fv(glGetUniformLocation(program, "border"), 1, gl->params.border);
+    glUniform1i(glGetUniformLocation(program, "gain"), gain_unit(gl));
+    *made = (struct warp_program){
+        .program = program,
+        .target_corner = glGetUniformLocation(program, "target_corner"),
+        .encoded = glGetUniformLocation(program, "encoded"),
+        .rotation = glGetUniformLocation(program, "source_rotation"),
+        .center = glGetUniformLocation(program, "source_center"),
+        .half_fov = glGetUniformLocation(program, "source_half_fov"),
+        .mipmaps = glGetUniformLocation(program, "source_mipmaps"),
+        .image_rect = glGetUniformLocation(program, "image_rect"),
+        .image_layer = glGetUniformLocation(program, "image_layer"),
+    };
+    return CUPOLA_OK;
+}
+
+void warp_programs_destroy(struct warp_program programs[SOURCE_KINDS])
+{
+    for (int kind = 0; kind < SOURCE_KINDS; kind++) {
+        glDeleteProgram(programs[kind].program);
+        programs[kind] = (struct warp_program){0};
+    }
+}
+
+int warp_programs_create(const cupola_gl *gl, int output, bool gained,
+                         struct warp_program made[SOURCE_KINDS], struct cupola_error *error)
+{
+    for (int kind = 0; kind < SOURCE_KINDS; kind++) {
+        int status = CUPOLA_OK;
+        if (shows_source(gl, (enum cupola_source_kind)kind))
+            status = warp_program_create(gl, output, kind, gained, &made[kind], error);
+        if (status != CUPOLA_OK) {
+            warp_programs_destroy(made);
+            return status;
+        }
+    }
+    return CUPOLA_OK;
 }
 
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 {
     struct warp_pass *pass = &gl->passes[output];
-    int status = source_programs_create(gl, output, error);
-    if (status != CUPOLA_OK || !shows_source(gl, CUPOLA_SOURCE_VIEWS))
-        return status;
-    if (gl->params.table != CUPOLA_TABLE_NONE) {
+    if (shows_source(gl, CUPOLA_SOURCE_VIEWS) && gl->params.table != CUPOLA_TABLE_NONE) {
         pass->table = table_create(gl, output, gl->params.table, error);
         if (!pass->table)
             return error->status;
+        if (gl->params.table == CUPOLA_TABLE_POINTS)
+            pass->points = pass->table;
     }
-    if (gl->params.table == CUPOLA_TABLE_POINTS)
-        pass->points = pass->table;
-    pass->program = warp_program_create(gl, output, error);
-    if (!pass->program)
-        return error->status;
-    pass->target_corner = glGetUniformLocation(pass->program, "target_corner");
-    return CUPOLA_OK;
+    return warp_programs_create(gl, output, false, pass->programs[false], error);
 }
 
 void warp_pass_destroy(struct warp_pass *pass)
 {
-    glDeleteProgram(pass->program);
-    for (int kind = 0; kind < SOURCE_KINDS; kind++)
-        glDeleteProgram(pass->sources[kind].program);
+    for (int gained = 0; gained < 2; gained++)
+        warp_programs_destroy(pass->programs[gained]);
     glDeleteTextures(1, &pass->table);
     if (pass->points != pass->table)
         glDeleteTextures(1, &pass->points);
     *pass = (struct warp_pass){0};
 }
 
-static int check_output(const cupola_gl *gl, int output, struct cupola_error *error)
+int output_check(const cupola_gl *gl, int output, struct cupola_error *error)
 {
     if (!gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
@@ -107,44 +173,85 @@ static int check_output(const cupola_gl *gl, int output, struct cupola_error *er
     return context_check(error);
 }
 
-static void views_draw(const cupola_gl *gl, int output, const struct cupola_target *place)
+static void views_bind(const cupola_gl *gl, int output, const struct warp_program *program)
+{
+    glActiveTexture(GL_TEXTURE0 + UNIT_TABLE);
+    glBindTexture(GL_TEXTURE_2D, gl->passes[output].table);
+    if (gl->params.storage != CUPOLA_STORAGE_ATLAS) {
+        view_images_bind(gl, program);
+        return;
+    }
+    glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
+    glBindTexture(GL_TEXTURE_2D, gl->atlas);
+}
+
+/* Into the framebuffer that is bound; all has been checked. */
+static void warp_draw(const cupola_gl *gl, int output, const struct cupola_source *source,
+                      const struct cupola_target *place)
 {
     const struct warp_pass *pass = &gl->passes[output];
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, pass->table);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, gl->atlas);
-    glUseProgram(pass->program);
-    glUniform2f(pass->target_corner, (GLfloat)place->x, (GLfloat)place->y);
+    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
+    const struct warp_program *program = &pass->programs[pass->gain != 0][source->kind];
+    bool cube = source->kind == CUPOLA_SOURCE_CUBE;
+    struct host_cube host;
+    host_set_area(&gl->features, place->x, place->y, size->width_px, size->height_px);
+    glUseProgram(program->program);
+    glUniform2f(program->target_corner, (GLfloat)place->x, (GLfloat)place->y);
+    if (program->encoded >= 0)
+        glUniform1i(program->encoded, !target_encodes(&gl->features));
+    if (pass->gain)
+        gain_bind(gl, output);
+    glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
+    if (cube)
+        host_cube_save(&host);
+    if (source->kind == CUPOLA_SOURCE_VIEWS)
+        views_bind(gl, output, program);
+    else
+        source_bind(gl, program, source);
     draw_fullscreen(gl->vertex_array);
+    if (cube)
+        host_cube_restore(&host);
+}
+
+/* All that is sampled: there, and not drawn into at the same time. */
+static int check_sampled(const cupola_gl *gl, int output, const struct cupola_source *source,
+                         GLuint framebuffer, struct cupola_error *error)
+{
+    const struct warp_pass *pass = &gl->passes[output];
+    bool views = source->kind == CUPOLA_SOURCE_VIEWS;
+    bool images = views && gl->params.storage != CUPOLA_STORAGE_ATLAS;
+    GLuint sampled[CUPOLA_VIEWS_MAX + 3] = {views ? gl->atlas : source->texture,
+                                            views ? pass->table : 0, pass->gain};
+    if (images)
+        memcpy(sampled + 3, gl->images.textures, sizeof gl->images.textures);
+    int status = source_check_gl(gl, source, error);
+    if (status == CUPOLA_OK && images)
+        status = view_images_check(gl, error);
+    if (status == CUPOLA_OK && pass->gain)
+        status = gain_check(gl, output, error);
+    if (status == CUPOLA_OK)
+        status = target_bind(framebuffer, error);
+    if (status == CUPOLA_OK)
+        status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);
+    return status;
 }
 
 int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_source *source,
                    const struct cupola_target *target, struct cupola_error *error)
 {
-    int status = check_output(gl, output, error);
+    int status = output_check(gl, output, error);
     if (status != CUPOLA_OK)
         return status;
-    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     struct cupola_target place = target ? *target : (struct cupola_target){0};
     struct cupola_source shown = source ? *source : (struct cupola_source){.texture = 0};
-    bool views = shown.kind == CUPOLA_SOURCE_VIEWS;
-    const GLuint sampled[2] = {views ? gl->atlas : shown.texture,
-                               views ? gl->passes[output].table : 0};
     struct host_state state;
     host_state_save(&state, &gl->features);
-    status = source_check_gl(gl, &shown, error);
+    status = check_sampled(gl, output, &shown, place.framebuffer, error);
     if (status == CUPOLA_OK)
-        status = target_bind(place.framebuffer, error);
+        status =
+            target_check_encoding(&gl->features, place.framebuffer, gl->params.encoding, error);
     if (status == CUPOLA_OK)
-        status = target_check_sampled(place.framebuffer, sampled, 2, error);
-    if (status == CUPOLA_OK) {
-        host_set_area(&gl->features, place.x, place.y, size->width_px, size->height_px);
-        if (views)
-            views_draw(gl, output, &place);
-        else
-            source_draw(gl, output, &shown, &place);
-    }
+        warp_draw(gl, output, &shown, &place);
     host_state_restore(&state);
     return status;
 }
@@ -154,7 +261,7 @@ int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cu
     struct cupola_error unwanted;
     if (!error)
         error = &unwanted;
-    int status = check_output(gl, output, error);
+    int status = output_check(gl, output, error);
     if (status != CUPOLA_OK)
         return status;
     if (!texture)

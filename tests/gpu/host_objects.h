@@ -31,7 +31,10 @@ static GLuint target_resolved(int target)
 static void targets_create(void)
 {
     const GLenum floats = context_has_floats() ? GL_RGBA32F : GL_RGBA8;
-    const GLenum formats[TARGETS] = {GL_SRGB8_ALPHA8, GL_RGBA8, floats};
+    /* Where the GL always encodes, linear light into sRGB formats is refused. */
+    const GLenum srgb =
+        context_has(33, NULL, NO_VERSION, "GL_EXT_sRGB_write_control") ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    const GLenum formats[TARGETS] = {srgb, GL_RGBA8, floats};
     glGenFramebuffers(TARGETS, target_framebuffers);
     glGenRenderbuffers(TARGETS, target_colors);
     glGenRenderbuffers(TARGETS, target_depths);

@@ -1,0 +1,95 @@
+/* What each pixel of an output is multiplied by. */
+#include <string.h>
+
+#include "error.h"
+#include "instance.h"
+
+GLint gain_unit(const cupola_gl *gl)
+{
+    return gl->params.storage == CUPOLA_STORAGE_TEXTURES ? UNIT_TABLE + gl->plan.view_count
+                                                         : UNIT_TABLE + 1;
+}
+
+static int check_texture(int output, GLuint texture, struct cupola_error *error)
+{
+    if (texture_bind(GL_TEXTURE_2D, texture))
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "gain of output %d is texture %u; allowed: the name of a GL_TEXTURE_2D, or 0 "
+                     "for none",
+                     output, texture);
+}
+
+/* Of the texture that check_texture has bound. OpenGL ES 3.0 cannot be asked. */
+static int check_size(const cupola_gl *gl, int output, GLuint texture, struct cupola_error *error)
+{
+    const struct cupola_output *wish = &gl->plan.dome.rig.outputs[output];
+    GLint size[3];
+    if (!texture_size(&gl->features, GL_TEXTURE_2D, size) ||
+        (size[0] == wish->width_px && size[1] == wish->height_px))
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "gain of output %d is texture %u of %d x %d texels; allowed: %d x %d, the "
+                     "output's size",
+                     output, texture, size[0], size[1], wish->width_px, wish->height_px);
+}
+
+/* With the host's state saved. */
+static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_error *error)
+{
+    struct warp_pass *pass = &gl->passes[output];
+    struct warp_program made[SOURCE_KINDS] = {{0}};
+    int status = check_texture(output, texture, error);
+    if (status == CUPOLA_OK)
+        status = check_size(gl, output, texture, error);
+    if (status != CUPOLA_OK || pass->gained)
+        return status;
+    status = warp_programs_create(gl, output, true, made, error);
+    if (status != CUPOLA_OK)
+        return status;
+    if (!gl->gain_sampler) { /* texels are fetched one by one, from formats without a filter, too */
+        glGenSamplers(1, &gl->gain_sampler);
+        glSamplerParameteri(gl->gain_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glSamplerParameteri(gl->gain_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    memcpy(pass->programs[true], made, sizeof made);
+    pass->gained = true;
+    return CUPOLA_OK;
+}
+
+int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture, struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    if (!error)
+        error = &unwanted; /* what is made further down answers by the error's status */
+    int status = output_check(gl, output, error);
+    if (status != CUPOLA_OK)
+        return status;
+    if (texture) {
+        struct host_state state;
+        host_state_save(&state, &gl->features);
+        status = prepare(gl, output, texture, error);
+        host_state_restore(&state);
+    }
+    if (status != CUPOLA_OK)
+        return status;
+    gl->passes[output].gain = texture;
+    gl->features.texture_units = gain_unit(gl);
+    for (int i = 0; i < gl->plan.dome.rig.output_count; i++)
+        if (gl->passes[i].gain)
+            gl->features.texture_units = gain_unit(gl) + 1;
+    return CUPOLA_OK;
+}
+
+int gain_check(const cupola_gl *gl, int output, struct cupola_error *error)
+{
+    return check_texture(output, gl->passes[output].gain, error);
+}
+
+void gain_bind(const cupola_gl *gl, int output)
+{
+    GLuint unit = (GLuint)gain_unit(gl);
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, gl->passes[output].gain);
+    glBindSampler(unit, gl->gain_sampler);
+}

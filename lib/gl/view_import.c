@@ -1,0 +1,166 @@
+/* The host's own textures as views. */
+#include "error.h"
+#include "instance.h"
+
+GLint view_image_unit(int view)
+{
+    return view == 0 ? UNIT_IMAGE : UNIT_TABLE + view;
+}
+
+void view_images_create(cupola_gl *gl)
+{
+    glGenSamplers(1, &gl->image_sampler);
+    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+static GLenum kind_of(const cupola_gl *gl)
+{
+    return gl->params.storage == CUPOLA_STORAGE_LAYERS ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+bool texture_size(const struct host_features *features, GLenum target, GLint size[3])
+{
+    GLint base = 0;
+    size[0] = size[1] = size[2] = 0;
+    if (!features->texture_sizes)
+        return false;
+    glGetTexParameteriv(target, GL_TEXTURE_BASE_LEVEL, &base);
+    glGetTexLevelParameteriv(target, base, GL_TEXTURE_WIDTH, &size[0]);
+    glGetTexLevelParameteriv(target, base, GL_TEXTURE_HEIGHT, &size[1]);
+    glGetTexLevelParameteriv(target, base, GL_TEXTURE_DEPTH, &size[2]);
+    return true;
+}
+
+static int refuse_texture(const cupola_gl *gl, int view, GLuint texture, struct cupola_error *error)
+{
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "texture of view %d is %u; allowed: the name of a %s", view, texture,
+                     gl->params.storage == CUPOLA_STORAGE_LAYERS ? "GL_TEXTURE_2D_ARRAY"
+                                                                 : "GL_TEXTURE_2D");
+}
+
+static int check_layer(const cupola_gl *gl, int view, int layer, int layers,
+                       struct cupola_error *error)
+{
+    if (gl->params.storage == CUPOLA_STORAGE_TEXTURES && layer != 0)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "layer of view %d is %d; allowed for a GL_TEXTURE_2D: 0", view, layer);
+    if (layer < 0 || layer >= layers)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "layer of view %d is %d; allowed: 0 to %d",
+                         view, layer, layers - 1);
+    return CUPOLA_OK;
+}
+
+/* A side of a rectangle that begins at `at`. */
+static bool fits(int at, int length, int most)
+{
+    return at >= 0 && length >= 1 && length <= most && at <= most - length;
+}
+
+static int check_rect(int view, const struct cupola_rect *rect, const GLint size[2], bool known,
+                      struct cupola_error *error)
+{
+    if (!rect->x && !rect->y && !rect->width && !rect->height)
+        return CUPOLA_OK;
+    if (fits(rect->x, rect->width, size[0]) && fits(rect->y, rect->height, size[1]))
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "rectangle of view %d is %d x %d texels at (%d, %d); allowed: inside of %s%d "
+                     "x %d texels, or all zero",
+                     view, rect->width, rect->height, rect->x, rect->y,
+                     known ? "the texture's " : "", size[0], size[1]);
+}
+
+/* In OpenGL ES 3.0, which cannot be asked for a texture's size, against what the GL allows. */
+static int check_image(const cupola_gl *gl, const struct cupola_view_image *images, int view,
+                       struct cupola_error *error)
+{
+    const struct cupola_view_image *image = &images[view];
+    GLint size[3];
+    if (!texture_bind(kind_of(gl), image->texture))
+        return refuse_texture(gl, view, image->texture, error);
+    if (gl->params.storage == CUPOLA_STORAGE_LAYERS && image->texture != images[0].texture)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "view %d is a layer of texture %u and view 0 of texture %u; allowed: "
+                         "layers of one GL_TEXTURE_2D_ARRAY",
+                         view, image->texture, images[0].texture);
+    bool known = texture_size(&gl->features, kind_of(gl), size);
+    if (known && (size[0] < 1 || size[1] < 1))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "texture %u of view %d has no texels in its base level; allowed: at least "
+                         "1 x 1",
+                         image->texture, view);
+    if (!known) {
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size[0]);
+        size[1] = size[0];
+        glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &size[2]);
+    }
+    int status = check_layer(gl, view, image->layer, size[2] > 1 ? size[2] : 1, error);
+    return status == CUPOLA_OK ? check_rect(view, &image->rect, size, known, error) : status;
+}
+
+static void keep(cupola_gl *gl, const struct cupola_view_image *images)
+{
+    for (int i = 0; i < gl->plan.view_count; i++) {
+        const struct cupola_rect *rect = &images[i].rect;
+        const GLfloat numbers[4] = {(GLfloat)rect->x, (GLfloat)rect->y, (GLfloat)rect->width,
+                                    (GLfloat)rect->height};
+        gl->images.textures[i] = images[i].texture;
+        gl->images.layers[i] = (GLfloat)images[i].layer;
+        for (int k = 0; k < 4; k++)
+            gl->images.rects[4 * i + k] = numbers[k];
+    }
+    gl->images.given = true;
+}
+
+int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_image *images,
+                           struct cupola_error *error)
+{
+    if (!gl || !images)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", gl ? "images" : "gl");
+    if (gl->params.storage == CUPOLA_STORAGE_ATLAS || !shows_source(gl, CUPOLA_SOURCE_VIEWS))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "gl was made for views of its own or for none; allowed: one with storage "
+                         "textures or layers");
+    int status = context_check(error);
+    if (status != CUPOLA_OK)
+        return status;
+    struct host_state state;
+    host_state_save(&state, &gl->features);
+    for (int i = 0; status == CUPOLA_OK && i < gl->plan.view_count; i++)
+        status = check_image(gl, images, i, error);
+    host_state_restore(&state);
+    if (status == CUPOLA_OK)
+        keep(gl, images);
+    return status;
+}
+
+int view_images_check(const cupola_gl *gl, struct cupola_error *error)
+{
+    if (!gl->images.given)
+        return error_set(error, CUPOLA_ERROR_ORDER,
+                         "warp before the host's views were imported; call cupola_gl_views_import "
+                         "first");
+    int count = gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count;
+    for (int i = 0; i < count; i++)
+        if (!texture_bind(kind_of(gl), gl->images.textures[i]))
+            return refuse_texture(gl, i, gl->images.textures[i], error);
+    return CUPOLA_OK;
+}
+
+void view_images_bind(const cupola_gl *gl, const struct warp_program *program)
+{
+    bool layers = gl->params.storage == CUPOLA_STORAGE_LAYERS;
+    for (int i = 0; i < (layers ? 1 : gl->plan.view_count); i++) {
+        GLuint unit = (GLuint)view_image_unit(i);
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(kind_of(gl), gl->images.textures[i]);
+        glBindSampler(unit, gl->image_sampler);
+    }
+    glUniform4fv(program->image_rect, gl->plan.view_count, gl->images.rects);
+    if (layers)
+        glUniform1fv(program->image_layer, gl->plan.view_count, gl->images.layers);
+}
