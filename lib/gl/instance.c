@@ -67,8 +67,9 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    bool bytes = internal_format == GL_RGBA8 || internal_format == GL_SRGB8_ALPHA8;
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width_px, height_px, 0, GL_RGBA,
-                 internal_format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT, NULL);
+                 bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, NULL);
     GLenum failure = glGetError();
     if (failure == GL_NO_ERROR)
         return texture;
@@ -142,9 +143,9 @@ void draw_fullscreen(GLuint vertex_array)
 
 static int check_params(const struct cupola_gl_params *params, struct cupola_error *error)
 {
-    if (params->format < CUPOLA_FORMAT_RGBA8 || params->format > CUPOLA_FORMAT_RGBA32F)
-        return error_set(error, CUPOLA_ERROR_ARGUMENT, "format is %d; allowed: %d to %d",
-                         (int)params->format, CUPOLA_FORMAT_RGBA8, CUPOLA_FORMAT_RGBA32F);
+    int status = views_check_params(params, error);
+    if (status != CUPOLA_OK)
+        return status;
     if (!cupola_table_name((int)params->table))
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "table stage is %d; allowed: 0 to %d",
                          (int)params->table, TABLE_COUNT - 1);

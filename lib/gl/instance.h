@@ -46,24 +46,32 @@ struct cupola_gl {
     struct cupola_gl_params params;
     struct host_features features;
     GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
-    GLuint atlas, depth, framebuffer; /* 0 without views */
-    GLuint sampler;                   /* of pictures; 0 where none are shown */
-    GLuint image_sampler;             /* of views that are the host's textures */
+    GLuint atlas, depth; /* 0 without views; a depth only where one is wished */
+    GLuint framebuffer;  /* what the host draws the views into */
+    /* With several samples their colours, drawn into, and the framebuffer of the atlas; else 0. */
+    GLuint samples, resolved;
+    GLuint sampler;       /* of pictures; 0 where none are shown */
+    GLuint image_sampler; /* of views that are the host's textures */
     GLuint gain_sampler;
     struct view_images images;
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
     struct cupola_frame frame;
     bool frame_begun;
     bool view_open;
+    struct cupola_rect open_rect;   /* of that view */
     struct host_target host_target; /* while a view is open */
 };
 
 /* An error unless a context of OpenGL 3.3, OpenGL ES 3.0 or newer is current. */
 int context_check(struct cupola_error *error);
 
+/* Whether the formats of the views are such; samples are for views_create to judge. */
+int views_check_params(const struct cupola_gl_params *params, struct cupola_error *error);
+
 /* In creation the error is never NULL. */
 int views_create(cupola_gl *gl, struct cupola_error *error);
 void views_destroy(cupola_gl *gl);
+bool views_have_stencil(const cupola_gl *gl);
 
 /* Whether gl and an output of it may be worked on now. */
 int output_check(const cupola_gl *gl, int output, struct cupola_error *error);

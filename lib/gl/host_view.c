@@ -1,0 +1,33 @@
+/* Saving and restoring of what clearing and resolving views changes. */
+#include "host_view.h"
+
+GLboolean host_encoding_enable(const struct host_features *features)
+{
+    GLboolean before = features->srgb_always ? GL_TRUE : glIsEnabled(GL_FRAMEBUFFER_SRGB);
+    host_encoding_set(features, GL_TRUE);
+    return before;
+}
+
+void host_encoding_set(const struct host_features *features, GLboolean on)
+{
+    if (features->srgb_always)
+        return;
+    if (on)
+        glEnable(GL_FRAMEBUFFER_SRGB);
+    else
+        glDisable(GL_FRAMEBUFFER_SRGB);
+}
+
+/* Clears use the mask of front faces; that of back faces stays. */
+GLint host_stencil_unmask(void)
+{
+    GLint before = 0;
+    glGetIntegerv(GL_STENCIL_WRITEMASK, &before);
+    glStencilMaskSeparate(GL_FRONT, ~0u);
+    return before;
+}
+
+void host_stencil_mask(GLint mask)
+{
+    glStencilMaskSeparate(GL_FRONT, (GLuint)mask);
+}

@@ -1,0 +1,19 @@
+/* The host's GL state that only clearing and resolving views changes; host_state.h has the rest. */
+#ifndef HOST_VIEW_H
+#define HOST_VIEW_H
+
+#include "host_state.h"
+
+/*
+ * Whether sRGB formats are encoded when they are written and decoded when they are averaged. The
+ * first returns what it was before it switches it on. No effect in OpenGL ES without
+ * GL_EXT_sRGB_write_control: it is always on there.
+ */
+GLboolean host_encoding_enable(const struct host_features *features);
+void host_encoding_set(const struct host_features *features, GLboolean on);
+
+/* The stencil's write mask as clears use it: the first lets all bits through and returns it. */
+GLint host_stencil_unmask(void);
+void host_stencil_mask(GLint mask);
+
+#endif
