@@ -1,7 +1,6 @@
 /* Existing pictures, one or many. */
 #include "film.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,10 +9,11 @@
 
 #include <epoxy/gl.h>
 
+#include "file_pattern.h"
 #include "film_picture.h"
 #include "short_path.h"
 
-enum { FACES = 6, PICTURES_MAX = 1000000, DIGITS_MAX = 9 };
+enum { FACES = 6, PICTURES_MAX = 1000000, GAP_MAX = 1000 };
 
 /*
  * In the order of GL. The files have +Z ahead, +X to the right and +Y up, each face upright as it
@@ -30,53 +30,28 @@ struct film {
     struct cupola_source source;
 };
 
-/*
- * Writes the path of a picture: %d or %0Nd is its number, %s its face. False where the pattern has
- * anything else after a %, or the path would be too long.
- */
-static bool path_of(const char *pattern, long number, const char *face, char path[PATH_MAX])
-{
-    size_t length = 0;
-
-    for (const char *at = pattern; *at; at++) {
-        int written = 1, digits = 0;
-        char *end;
-        if (*at != '%') {
-            path[length] = *at;
-        } else if (at[1] == 's') {
-            written = snprintf(path + length, PATH_MAX - length, "%s", face);
-            at++;
-        } else {
-            if (at[1] == '0')
-                digits = (int)strtol(at + 1, &end, 10);
-            else
-                end = (char *)(at + 1);
-            if (*end != 'd' || digits > DIGITS_MAX || digits < 0)
-                return false;
-            written = snprintf(path + length, PATH_MAX - length, "%0*ld", digits, number);
-            at = end;
-        }
-        length += (size_t)written;
-        if (length >= PATH_MAX)
-            return false;
-    }
-    path[length] = 0;
-    return true;
-}
-
-/* Whether "%d" or the like is in the pattern. */
-static bool has_number(const char *pattern)
-{
-    char zero[PATH_MAX], one[PATH_MAX];
-
-    return path_of(pattern, 0, "", zero) && path_of(pattern, 1, "", one) && strcmp(zero, one) != 0;
-}
-
 static bool is_there(const struct film *film, long number)
 {
     char path[PATH_MAX];
 
-    return path_of(film->pattern, number, face_files[0], path) && access(path, F_OK) == 0;
+    return file_pattern_path(film->pattern, number, face_files[0], path) && access(path, F_OK) == 0;
+}
+
+/* After the last picture none may follow: a film that ends too early would look complete. */
+static bool has_no_gap(const struct film *film, char *message)
+{
+    long missing = film->first + film->count;
+
+    for (long number = missing + 1; number <= missing + GAP_MAX; number++) {
+        if (!is_there(film, number))
+            continue;
+        snprintf(message, MESSAGE_SIZE,
+                 "--show: '%s' has no file of number %ld, but one of number %ld; allowed: numbers "
+                 "without a gap",
+                 short_path(film->pattern).text, missing, number);
+        return false;
+    }
+    return true;
 }
 
 static bool find_numbers(struct film *film, char *message)
@@ -84,7 +59,8 @@ static bool find_numbers(struct film *film, char *message)
     char path[PATH_MAX];
     bool cube = film->source.kind == CUPOLA_SOURCE_CUBE;
 
-    if (!path_of(film->pattern, 0, "", path) || cube != (strstr(film->pattern, "%s") != NULL)) {
+    if (!file_pattern_path(film->pattern, 0, "", path) ||
+        cube != (strstr(film->pattern, "%s") != NULL)) {
         snprintf(message, MESSAGE_SIZE, "--show: '%s' is not allowed; allowed: %s",
                  short_path(film->pattern).text,
                  cube ? "a name with %s, for posx, negx, posy, negy, posz and negz, and with %04d "
@@ -93,14 +69,14 @@ static bool find_numbers(struct film *film, char *message)
         return false;
     }
     film->count = 1;
-    if (!has_number(film->pattern))
+    if (!file_pattern_has_number(film->pattern))
         return true;
     film->first = is_there(film, 0) ? 0 : 1;
     film->count = 0;
     while (film->count < PICTURES_MAX && is_there(film, film->first + film->count))
         film->count++;
     if (film->count > 0)
-        return true;
+        return has_no_gap(film, message);
     snprintf(message, MESSAGE_SIZE, "--show: '%s' has no file of number 0 and none of number 1",
              short_path(film->pattern).text);
     return false;
@@ -155,7 +131,7 @@ static bool load_file(struct film *film, const char *path, GLenum target, char *
     return loaded;
 }
 
-static bool load(struct film *film, long number, char *message)
+static bool load(struct film *film, long index, char *message)
 {
     bool cube = film->source.kind == CUPOLA_SOURCE_CUBE;
     GLenum target = cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
@@ -164,9 +140,9 @@ static bool load(struct film *film, long number, char *message)
     if (!film->source.texture)
         glGenTextures(1, &film->source.texture);
     glBindTexture(target, film->source.texture);
-    for (int face = 0; face < (cube ? FACES : 1); face++) {
+    for (int face = 0; face < film_faces(film); face++) {
         GLenum place = cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face : target;
-        if (!path_of(film->pattern, number, face_files[face], path)) {
+        if (!film_path(film, index, face, path)) {
             snprintf(message, MESSAGE_SIZE, "--show: '%s' makes too long a name",
                      short_path(film->pattern).text);
             return false;
@@ -217,7 +193,7 @@ bool film_seek(struct film *film, long index, char *message)
     index %= film->count;
     if (index == film->shown)
         return true;
-    if (!load(film, film->first + index, message))
+    if (!load(film, index, message))
         return false;
     film->shown = index;
     return true;
@@ -226,6 +202,26 @@ bool film_seek(struct film *film, long index, char *message)
 long film_index(const struct film *film, double time_ms)
 {
     return (long)fmod(floor(time_ms * 1e-3 * film->rate_hz), (double)film->count);
+}
+
+long film_first(const struct film *film)
+{
+    return film->first;
+}
+
+long film_count(const struct film *film)
+{
+    return film->count;
+}
+
+int film_faces(const struct film *film)
+{
+    return film->source.kind == CUPOLA_SOURCE_CUBE ? FACES : 1;
+}
+
+bool film_path(const struct film *film, long index, int face, char path[PATH_MAX])
+{
+    return file_pattern_path(film->pattern, film->first + index, face_files[face], path);
 }
 
 const struct cupola_source *film_source(const struct film *film)

@@ -5,6 +5,9 @@
 #ifndef FILM_H
 #define FILM_H
 
+#include <limits.h>
+#include <stdbool.h>
+
 #include <cupola/source.h>
 
 #include "options.h"
@@ -25,6 +28,14 @@ bool film_seek(struct film *film, long index, char *message);
 
 /* The index of the picture to be seen at a time after the start. */
 long film_index(const struct film *film, double time_ms);
+
+/* The number in the name of the first picture, and how many there are; 0 and 1 without numbers. */
+long film_first(const struct film *film);
+long film_count(const struct film *film);
+
+/* How many files a picture is, and the path of one. False where that would be too long. */
+int film_faces(const struct film *film);
+bool film_path(const struct film *film, long index, int face, char path[PATH_MAX]);
 
 /* Lives as long as the film. */
 const struct cupola_source *film_source(const struct film *film);

@@ -9,6 +9,7 @@
 #include <cupola/version.h>
 
 #include "file_clash.h"
+#include "film_output.h"
 #include "model_trial.h"
 #include "options.h"
 #include "output_file.h"
@@ -29,7 +30,8 @@ static int complain(int status, char *message)
 
 static bool check_files(const struct options *options, char *message)
 {
-    if (options->output && !output_file_check("--output", options->output, message))
+    if (options->output && !film_output_is_numbered(options) &&
+        !output_file_check("--output", options->output, message))
         return false;
     if (options->stats && strcmp(options->stats, "-") != 0 &&
         !output_file_check("--stats", options->stats, message))

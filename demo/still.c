@@ -9,6 +9,7 @@
 #include <cupola/rig_file.h>
 
 #include "file_clash.h"
+#include "film_output.h"
 #include "headless.h"
 #include "output_file.h"
 #include "stats.h"
@@ -21,6 +22,7 @@ struct still {
     struct show *show;
     struct target target;
     struct stats *stats; /* NULL: nobody wants them */
+    bool numbered;       /* each frame of a film goes to a file of its own */
 };
 
 static int create(struct still *still, const struct options *options,
@@ -62,9 +64,22 @@ static void destroy(struct still *still)
     headless_destroy(still->headless);
 }
 
+/* Frame `index` of a film, to its file. */
+static bool capture(const struct still *still, const struct options *options, long index,
+                    char *message)
+{
+    char path[PATH_MAX];
+
+    if (film_output_path(options, still->world.film, index, path))
+        return output_file_capture(path, still->target.framebuffer, still->target.width,
+                                   still->target.height, message);
+    snprintf(message, MESSAGE_SIZE, "--output makes too long a name");
+    return false;
+}
+
 static bool draw(struct still *still, const struct options *options, char *message)
 {
-    int frames = options->frames > 0 ? options->frames : 1;
+    long frames = options->frames > 0 ? options->frames : 1;
     struct frame_times times;
     struct scene_range range = {0};
     struct show_frame frame = {
@@ -80,13 +95,17 @@ static bool draw(struct still *still, const struct options *options, char *messa
 
     if (still->stats)
         frames = stats_frames(options->frames) + 1;
-    for (int i = 0; i < frames; i++) {
+    if (still->numbered)
+        frames = film_output_frames(options, still->world.film);
+    for (long i = 0; i < frames; i++) {
         if (still->world.film && !film_seek(still->world.film, i, message))
             return false;
         if (!show_draw(still->show, &frame, message))
             return false;
         if (still->stats)
             stats_add_frame(still->stats, &times);
+        if (still->numbered && !capture(still, options, i, message))
+            return false;
     }
     return true;
 }
@@ -109,7 +128,8 @@ static bool write_files(struct still *still, const struct options *options, cons
                          message))
             return false;
     }
-    if (!output_file_capture(path, still->target.framebuffer, still->target.width,
+    if (!still->numbered &&
+        !output_file_capture(path, still->target.framebuffer, still->target.width,
                              still->target.height, message))
         return false;
     if (still->stats && strcmp(options->stats, "-") == 0)
@@ -125,18 +145,21 @@ const char *still_default_path(const struct options *options)
 
 int still_run(const struct options *options, const struct show_setup *setup, char *message)
 {
-    struct still still = {0};
+    struct still still = {.numbered = film_output_is_numbered(options)};
     FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
     const char *path = options->output;
     int status;
 
     if (!path)
         path = still_default_path(options);
-    if (!file_clash_check(options, path, message))
+    if (!film_output_check_options(options, message) || !file_clash_check(options, path, message))
         return STATUS_USAGE;
-    if (!output_file_check("--output", path, message))
+    if (!still.numbered && !output_file_check("--output", path, message))
         return STATUS_FAILED;
     status = create(&still, options, setup, news, message);
+    if (status == STATUS_OK && still.numbered &&
+        !film_output_check_files(options, still.world.film, message))
+        status = STATUS_FAILED;
     if (status == STATUS_OK &&
         !(draw(&still, options, message) && write_files(&still, options, path, message)))
         status = STATUS_FAILED;

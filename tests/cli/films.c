@@ -145,23 +145,72 @@ static void six_views_of_a_room_are_a_cube(void **state)
                 "--size 256x256 --fov 220", 0.03);
 }
 
-static void frames_are_the_pictures_of_a_sequence(void **state)
+static double middle_of(const char *path)
 {
-    static const struct {
-        const char *frames;
-        double seen;
-    } cases[] = {{"1", 0.5}, {"2", 1.0}, {"3", 0.5}};
+    struct picture picture = {0};
+    assert_true(cupola_pfm_read(path, &picture.rgba, &picture.width, &picture.height, NULL) >= 0);
+    double seen = (double)picture_pixel(&picture, picture.width / 2, picture.height / 2)[0];
+    cupola_image_free(&picture.rgba);
+    return seen;
+}
+
+#define SEQUENCE "--size 8x8 --show frame-%04d.pfm --as domemaster "
+
+/* The numbers are those of the pictures; without --frames all of them are shown. */
+static void every_picture_of_a_sequence_becomes_a_file(void **state)
+{
     (void)state;
     write_picture("frame-0001.pfm", 4, 4, grey);
     write_picture("frame-0002.pfm", 4, 4, white);
-    for (int i = 0; i < 3; i++) {
+    int files = process_count_files();
+    demo_run(&process, SEQUENCE "--output out-%03d.pfm");
+    assert_int_equal(process_count_files(), files + 2);
+    check_near(middle_of("out-001.pfm"), 0.5, 1e-6);
+    check_near(middle_of("out-002.pfm"), 1.0, 1e-6);
+    demo_run(&process, SEQUENCE "--output out-%03d.pfm --frames 3"); /* over what is there */
+    assert_int_equal(process_count_files(), files + 3);
+    check_near(middle_of("out-002.pfm"), 1.0, 1e-6);
+    check_near(middle_of("out-003.pfm"), 0.5, 1e-6); /* from the start again */
+    struct picture first = demo_run_pfm(&process, SEQUENCE);
+    check_near((double)picture_pixel(&first, 4, 4)[0], 0.5, 1e-6);
+    cupola_image_free(&first.rgba);
+}
+
+/* What came before the wrong picture is whole, and nothing else is there. */
+static void a_sequence_ends_at_a_wrong_picture(void **state)
+{
+    (void)state;
+    write_picture("film-0.pfm", 4, 4, grey);
+    write_picture("film-1.pfm", 8, 8, grey);
+    int files = process_count_files();
+    process_run(&process, "--size 8x8 --show film-%d.pfm --as domemaster --output done-%d.pfm",
+                NULL);
+    assert_int_equal(process.status, FAILED);
+    assert_non_null(strstr(process.err, "film-1.pfm is 8 x 8 px"));
+    assert_int_equal(process_count_files(), files + 1);
+    check_near(middle_of("done-0.pfm"), 0.5, 1e-6);
+}
+
+static void a_sequence_never_overwrites_its_pictures(void **state)
+{
+    static const char *const outputs[] = {"frame-%04d.pfm", "frame-%004d.pfm", "./frame-%04d.pfm",
+                                          "link-%d.pfm", "frame-000%d.pfm"};
+    (void)state;
+    write_picture("frame-0001.pfm", 4, 4, grey);
+    write_picture("frame-0002.pfm", 4, 4, white);
+    assert_int_equal(symlink("frame-0001.pfm", "link-2.pfm"), 0);
+    int files = process_count_files();
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
         char command[200];
-        snprintf(command, sizeof command,
-                 "--size 8x8 --show frame-%%04d.pfm --as domemaster --frames %s", cases[i].frames);
-        struct picture picture = demo_run_pfm(&process, command);
-        check_near((double)picture_pixel(&picture, 4, 4)[0], cases[i].seen, 1e-6);
-        cupola_image_free(&picture.rgba);
+        snprintf(command, sizeof command, "%s --output %s", SEQUENCE, outputs[i]);
+        process_run(&process, command, NULL);
+        assert_true(process.status == USAGE || process.status == FAILED);
+        assert_non_null(strstr(process.err, "of their own"));
+        assert_int_equal(process_count_files(), files);
+        check_near(middle_of("frame-0001.pfm"), 0.5, 0.0);
+        check_near(middle_of("frame-0002.pfm"), 1.0, 0.0);
     }
+    assert_int_equal(unlink("link-2.pfm"), 0);
 }
 
 struct wrong {
@@ -202,7 +251,18 @@ static void wrong_pictures_are_one_line(void **state)
         {"--show gone-%d.png --as domemaster", FAILED, "gone-%d.png", "number 1"},
         {"--show gone-%s.png --as cube", FAILED, "gone-posx.png", "No such file"},
         {"--show part-%s.pfm --as cube", FAILED, "part-negx.pfm", "No such file"},
-        {"--show odd-%d.pfm --as domemaster --frames 2", FAILED, "odd-1.pfm", "of one size"},
+        {"--show odd-%d.pfm --as domemaster --stats x.json --frames 2", FAILED, "odd-1.pfm",
+         "of one size"},
+        {"--show odd-%d.pfm --as domemaster --frames 2", USAGE, "dome.png", "%05d"},
+        {"--show odd-%d.pfm --as domemaster --frames 2 --output x.png", USAGE, "'x.png'", "%05d"},
+        {"--show square.pfm --as domemaster --output x-%d.png", USAGE, "'x-%d.png'", "without %"},
+        {"--output x-%d.png", USAGE, "'x-%d.png'", "without %"},
+        {"--show odd-%d.pfm --as domemaster --stats - --output x-%d.png", USAGE, "--stats",
+         "one of them"},
+        {"--show odd-%d.pfm --as domemaster --output no/x-%d.png", FAILED, "no/x-0.png",
+         "cannot be written"},
+        {"--show gap-%02d.pfm --as domemaster --output x-%d.png", FAILED, "number 3",
+         "without a gap"},
     };
     (void)state;
     write_picture("wide.pfm", 8, 4, grey);
@@ -210,6 +270,9 @@ static void wrong_pictures_are_one_line(void **state)
     write_picture("part-posx.pfm", 4, 4, grey);
     write_picture("odd-0.pfm", 4, 4, grey);
     write_picture("odd-1.pfm", 8, 8, grey);
+    write_picture("gap-01.pfm", 4, 4, grey);
+    write_picture("gap-02.pfm", 4, 4, grey);
+    write_picture("gap-05.pfm", 4, 4, grey);
     process_write_file("text.png", "no picture");
     for (size_t i = 0; i < sizeof wrongs / sizeof *wrongs; i++) {
         int files = process_count_files();
@@ -235,7 +298,9 @@ int main(void)
         cmocka_unit_test(a_domemaster_comes_out_as_it_was_made),
         cmocka_unit_test(an_equirectangular_picture_is_the_world_that_the_viewer_sees),
         cmocka_unit_test(six_views_of_a_room_are_a_cube),
-        cmocka_unit_test(frames_are_the_pictures_of_a_sequence),
+        cmocka_unit_test(every_picture_of_a_sequence_becomes_a_file),
+        cmocka_unit_test(a_sequence_ends_at_a_wrong_picture),
+        cmocka_unit_test(a_sequence_never_overwrites_its_pictures),
         cmocka_unit_test(wrong_pictures_are_one_line),
     };
     return cmocka_run_group_tests_name("films", tests, process_enter_directory,

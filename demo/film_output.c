@@ -1,0 +1,125 @@
+/* A sequence of pictures without a window: one file for each frame. */
+#include "film_output.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+
+#include "file_pattern.h"
+#include "output_file.h"
+#include "short_path.h"
+
+/* What a file is, whatever its name. */
+struct identity {
+    dev_t device;
+    ino_t number;
+};
+
+struct identities {
+    struct identity *sorted;
+    size_t count;
+};
+
+bool film_output_is_numbered(const struct options *options)
+{
+    return options->output && file_pattern_has_number(options->output);
+}
+
+bool film_output_check_options(const struct options *options, char *message)
+{
+    const char *problem = NULL;
+
+    if (film_output_is_numbered(options)) {
+        if (!options->show || !file_pattern_has_number(options->show))
+            problem = "has a number, but --show names no sequence; allowed: a name without %";
+        else if (options->stats)
+            problem = "has a number, and --stats wants one file only; allowed: one of them";
+    } else if (options->show && file_pattern_has_number(options->show) && options->frames > 1 &&
+               !options->stats) {
+        problem = "is one file for many frames; allowed: a name with %05d or the like, or no "
+                  "--frames for the first picture alone";
+    }
+    if (problem)
+        snprintf(message, MESSAGE_SIZE, "--output: '%s' %s",
+                 short_path(options->output ? options->output : "dome.png").text, problem);
+    return !problem;
+}
+
+long film_output_frames(const struct options *options, const struct film *film)
+{
+    return options->frames > 0 ? options->frames : film_count(film);
+}
+
+bool film_output_path(const struct options *options, const struct film *film, long index,
+                      char path[PATH_MAX])
+{
+    return file_pattern_path(options->output, film_first(film) + index, "", path);
+}
+
+static int compare(const void *first, const void *second)
+{
+    const struct identity *a = first, *b = second;
+
+    if (a->device != b->device)
+        return a->device < b->device ? -1 : 1;
+    return (a->number > b->number) - (a->number < b->number);
+}
+
+/* All pictures of the film that are there. */
+static bool identify(const struct film *film, struct identities *identities)
+{
+    long count = film_count(film);
+    int faces = film_faces(film);
+    char path[PATH_MAX];
+    struct stat file;
+
+    identities->count = 0;
+    identities->sorted = calloc((size_t)count * (size_t)faces, sizeof *identities->sorted);
+    if (!identities->sorted)
+        return false;
+    for (long index = 0; index < count; index++)
+        for (int face = 0; face < faces; face++)
+            if (film_path(film, index, face, path) && stat(path, &file) == 0)
+                identities->sorted[identities->count++] =
+                    (struct identity){file.st_dev, file.st_ino};
+    qsort(identities->sorted, identities->count, sizeof *identities->sorted, compare);
+    return true;
+}
+
+static bool check_file(const char *path, const struct identities *pictures, char *message)
+{
+    struct stat file;
+
+    if (!output_file_check("--output", path, message))
+        return false;
+    if (stat(path, &file) != 0)
+        return true;
+    const struct identity wanted = {file.st_dev, file.st_ino};
+    if (!bsearch(&wanted, pictures->sorted, pictures->count, sizeof wanted, compare))
+        return true;
+    snprintf(message, MESSAGE_SIZE,
+             "--output: %s is a picture that --show names; allowed: files of their own",
+             short_path(path).text);
+    return false;
+}
+
+bool film_output_check_files(const struct options *options, const struct film *film, char *message)
+{
+    long frames = film_output_frames(options, film);
+    struct identities pictures;
+    char path[PATH_MAX];
+    bool good = identify(film, &pictures);
+
+    if (!good)
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+    for (long index = 0; good && index < frames; index++) {
+        good = film_output_path(options, film, index, path);
+        if (!good)
+            snprintf(message, MESSAGE_SIZE, "--output: '%s' makes too long a name",
+                     short_path(options->output).text);
+        else
+            good = check_file(path, &pictures, message);
+    }
+    free(pictures.sorted);
+    return good;
+}

@@ -1,0 +1,27 @@
+/* A sequence of pictures without a window: one file for each frame. */
+#ifndef FILM_OUTPUT_H
+#define FILM_OUTPUT_H
+
+#include "film.h"
+
+/* Whether --output names one file for each picture of a sequence. */
+bool film_output_is_numbered(const struct options *options);
+
+/* False with one line in `message` where more frames than one would go to one file. */
+bool film_output_check_options(const struct options *options, char *message);
+
+/* How many files there will be: --frames, or as many as there are pictures. */
+long film_output_frames(const struct options *options, const struct film *film);
+
+/* The path of frame `index`, from 0: it has the number of its picture, and goes on counting where
+ * the film starts again. */
+bool film_output_path(const struct options *options, const struct film *film, long index,
+                      char path[PATH_MAX]);
+
+/*
+ * Before anything is drawn: whether all files can probably be written, and none is a picture of the
+ * film itself. False with one line in `message`, MESSAGE_SIZE bytes.
+ */
+bool film_output_check_files(const struct options *options, const struct film *film, char *message);
+
+#endif
