@@ -36,6 +36,8 @@ const char *cupola_status_text(int status)
         return "the GL refused";
     case CUPOLA_ERROR_ORDER:
         return "a call at a moment when it makes no sense";
+    case CUPOLA_ERROR_LOST:
+        return "the GL context has been lost";
     }
     return "an unknown status";
 }

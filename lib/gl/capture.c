@@ -58,10 +58,13 @@ int cupola_gl_capture(const struct cupola_target *target, int width, int height,
     if (status != CUPOLA_OK)
         return status;
     struct cupola_target place = target ? *target : (struct cupola_target){0};
-    struct host_state state;
     struct host_features features;
+    struct guest guest = {.features = &features};
+    struct guest_work work;
     host_features_find(&features);
-    host_state_save(&state, &features);
+    if ((status = guest_check(&guest, error)) != CUPOLA_OK)
+        return status;
+    guest_begin(&guest, &work, "capture");
     status = target_bind(place.framebuffer, error);
     if (status == CUPOLA_OK) {
         GLenum failure = read_pixels(&place, width, height, features.es, rgba);
@@ -70,6 +73,6 @@ int cupola_gl_capture(const struct cupola_target *target, int width, int height,
                                "the GL cannot read from framebuffer %u (error 0x%x)",
                                place.framebuffer, failure);
     }
-    host_state_restore(&state);
+    guest_end(&guest, &work);
     return status;
 }

@@ -48,7 +48,11 @@ static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_erro
     if (status != CUPOLA_OK)
         return status;
     if (!gl->gain_sampler) { /* texels are fetched one by one, from formats without a filter, too */
-        glGenSamplers(1, &gl->gain_sampler);
+        gl->gain_sampler = sampler_create(&gl->guest, "gain", error);
+        if (!gl->gain_sampler) {
+            warp_programs_destroy(made);
+            return error->status;
+        }
         glSamplerParameteri(gl->gain_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glSamplerParameteri(gl->gain_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
@@ -57,19 +61,16 @@ static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_erro
     return CUPOLA_OK;
 }
 
-int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture, struct cupola_error *error)
+static int set_gain(cupola_gl *gl, int output, unsigned int texture, struct cupola_error *error)
 {
-    struct cupola_error unwanted;
-    if (!error)
-        error = &unwanted; /* what is made further down answers by the error's status */
     int status = output_check(gl, output, error);
     if (status != CUPOLA_OK)
         return status;
     if (texture) {
-        struct host_state state;
-        host_state_save(&state, &gl->features);
+        struct guest_work work;
+        guest_begin_making(&gl->guest, &work, "gain of output %d", output);
         status = prepare(gl, output, texture, error);
-        host_state_restore(&state);
+        guest_end(&gl->guest, &work);
     }
     if (status != CUPOLA_OK)
         return status;
@@ -79,6 +80,13 @@ int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture, struct c
         if (gl->passes[i].gain)
             gl->features.texture_units = gain_unit(gl) + 1;
     return CUPOLA_OK;
+}
+
+int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture, struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, set_gain(gl, output, texture, error), error);
 }
 
 int gain_check(const cupola_gl *gl, int output, struct cupola_error *error)

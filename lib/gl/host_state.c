@@ -119,6 +119,7 @@ void host_features_find(struct host_features *features)
         features->draw_buffers = HOST_DRAW_BUFFERS_MAX;
     for (int i = 0; i < CAPABILITY_COUNT; i++)
         features->capabilities[i] = has(features, capabilities[i].origin);
+    host_debug_find(features);
 }
 
 static void set_capability(GLenum name, GLboolean on)
@@ -210,11 +211,23 @@ void host_set_adding(const struct host_features *features)
     set_blend(features, GL_TRUE);
 }
 
+/* Questions about the host's state, where it is kept. */
+static void ask(const struct host_state *state, GLenum name, GLint *values)
+{
+    if (state->kept)
+        glGetIntegerv(name, values);
+}
+
+static GLboolean is_on(const struct host_state *state, GLenum capability)
+{
+    return state->kept ? glIsEnabled(capability) : GL_FALSE;
+}
+
 /* A running transform feedback would record our triangles and refuse our programs. */
 static void pause_feedback(struct host_state *state)
 {
     GLboolean active = GL_FALSE, paused = GL_FALSE;
-    if (state->features->transform_feedback) {
+    if (state->kept && state->features->transform_feedback) {
         glGetBooleanv(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE, &active);
         glGetBooleanv(GL_TRANSFORM_FEEDBACK_BUFFER_PAUSED, &paused);
     }
@@ -227,14 +240,15 @@ static void pause_feedback(struct host_state *state)
 static void save_color_masks(struct host_state *state)
 {
     if (!state->features->mask_per_buffer) {
-        glGetIntegerv(GL_COLOR_WRITEMASK, state->color_masks[0]);
+        ask(state, GL_COLOR_WRITEMASK, state->color_masks[0]);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         return;
     }
     for (int i = 0; i < state->features->draw_buffers; i++) {
         GLboolean written = i == 0;
         /* As integers: OpenGL ES 3.0 has no indexed question for truth values. */
-        glGetIntegeri_v(GL_COLOR_WRITEMASK, (GLuint)i, state->color_masks[i]);
+        if (state->kept)
+            glGetIntegeri_v(GL_COLOR_WRITEMASK, (GLuint)i, state->color_masks[i]);
         glColorMaski((GLuint)i, written, written, written, written);
     }
 }
@@ -258,72 +272,87 @@ static void save_fixed_function(struct host_state *state)
     for (int i = 0; i < CAPABILITY_COUNT; i++) {
         if (!state->features->capabilities[i])
             continue;
-        state->capabilities[i] = glIsEnabled(capabilities[i].name);
+        state->capabilities[i] = is_on(state, capabilities[i].name);
         set_capability(capabilities[i].name, capabilities[i].wanted);
     }
-    state->blend = glIsEnabled(GL_BLEND); /* of draw buffer 0 where there are several */
+    state->blend = is_on(state, GL_BLEND); /* of draw buffer 0 where there are several */
     set_blend(state->features, GL_FALSE);
     for (int i = 0; i < 2; i++)
-        glGetIntegerv(blend_equations[i], &state->blend_equation[i]);
+        ask(state, blend_equations[i], &state->blend_equation[i]);
     for (int i = 0; i < 4; i++)
-        glGetIntegerv(blend_factors[i], &state->blend_factors[i]);
+        ask(state, blend_factors[i], &state->blend_factors[i]);
     save_color_masks(state);
-    glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
+    if (state->kept)
+        glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
     glDepthMask(GL_TRUE);
     if (state->features->polygon_mode) {
-        glGetIntegerv(GL_POLYGON_MODE, state->polygon_mode);
+        ask(state, GL_POLYGON_MODE, state->polygon_mode);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
     if (state->features->clip_control) {
-        glGetIntegerv(GL_CLIP_ORIGIN, &state->clip_origin);
-        glGetIntegerv(GL_CLIP_DEPTH_MODE, &state->clip_depth);
+        ask(state, GL_CLIP_ORIGIN, &state->clip_origin);
+        ask(state, GL_CLIP_DEPTH_MODE, &state->clip_depth);
         glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     }
 }
 
 static void save_bindings(struct host_state *state)
 {
-    glGetIntegerv(GL_CURRENT_PROGRAM, &state->program);
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &state->vertex_array);
-    glGetIntegerv(GL_RENDERBUFFER_BINDING, &state->renderbuffer);
-    glGetIntegerv(GL_ACTIVE_TEXTURE, &state->active_texture);
+    ask(state, GL_CURRENT_PROGRAM, &state->program);
+    ask(state, GL_VERTEX_ARRAY_BINDING, &state->vertex_array);
+    ask(state, GL_RENDERBUFFER_BINDING, &state->renderbuffer);
+    ask(state, GL_ACTIVE_TEXTURE, &state->active_texture);
     for (int unit = 0; unit < state->features->texture_units; unit++) {
         glActiveTexture((GLenum)(GL_TEXTURE0 + unit));
-        glGetIntegerv(GL_TEXTURE_BINDING_2D, &state->textures[unit]);
-        glGetIntegerv(GL_SAMPLER_BINDING, &state->samplers[unit]);
+        ask(state, GL_TEXTURE_BINDING_2D, &state->textures[unit]);
+        ask(state, GL_SAMPLER_BINDING, &state->samplers[unit]);
         glBindSampler((GLuint)unit, 0);
     }
     glActiveTexture(GL_TEXTURE0);
     if (state->features->texture_arrays)
-        glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &state->texture_array);
+        ask(state, GL_TEXTURE_BINDING_2D_ARRAY, &state->texture_array);
 }
 
 static void save_pixel_transfer(struct host_state *state)
 {
-    glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &state->unpack_buffer);
-    glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &state->pack_buffer);
+    ask(state, GL_PIXEL_UNPACK_BUFFER_BINDING, &state->unpack_buffer);
+    ask(state, GL_PIXEL_PACK_BUFFER_BINDING, &state->pack_buffer);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     for (int i = 0; i < HOST_PIXEL_STORES; i++) {
         if (state->features->es && pixel_stores[i].desktop)
             continue;
-        glGetIntegerv(pixel_stores[i].name, &state->pixel_stores[i]);
+        ask(state, pixel_stores[i].name, &state->pixel_stores[i]);
         glPixelStorei(pixel_stores[i].name, pixel_stores[i].wanted);
     }
     if (!state->features->es) {
-        glGetIntegerv(GL_CLAMP_READ_COLOR, &state->clamp_read_color);
+        ask(state, GL_CLAMP_READ_COLOR, &state->clamp_read_color);
         glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
     }
+}
+
+static void save(struct host_state *state)
+{
+    pause_feedback(state);
+    if (state->kept)
+        host_target_save(&state->target);
+    save_fixed_function(state);
+    save_bindings(state);
+    save_pixel_transfer(state);
 }
 
 void host_state_save(struct host_state *state, const struct host_features *features)
 {
     state->features = features;
-    pause_feedback(state);
-    host_target_save(&state->target);
-    save_fixed_function(state);
-    save_bindings(state);
-    save_pixel_transfer(state);
+    state->kept = true;
+    save(state);
+}
+
+void host_state_set(struct host_state *state, const struct host_features *features)
+{
+    state->features = features;
+    state->kept = false;
+    save(state);
 }
 
 static void restore_fixed_function(const struct host_state *state)
@@ -375,6 +404,8 @@ static void restore_pixel_transfer(const struct host_state *state)
 
 void host_state_restore(const struct host_state *state)
 {
+    if (!state->kept)
+        return;
     restore_pixel_transfer(state);
     restore_bindings(state);
     restore_fixed_function(state);

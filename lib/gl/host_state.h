@@ -15,6 +15,22 @@ enum {
     HOST_DRAW_BUFFERS_MAX = 16, /* as many as the GL has names for */
 };
 
+/* Debug groups and labels. */
+enum host_debug {
+    HOST_DEBUG_NONE = 0,
+    HOST_DEBUG_CORE, /* functions of the core's names */
+    HOST_DEBUG_KHR,  /* OpenGL ES before 3.2 */
+};
+
+/* By which function a context tells that it has been lost. */
+enum host_reset {
+    HOST_RESET_NEVER = 0, /* it is not robust */
+    HOST_RESET_CORE,
+    HOST_RESET_KHR,
+    HOST_RESET_ARB,
+    HOST_RESET_EXT,
+};
+
 /* What a context has, by its version or by an extension. */
 struct host_features {
     bool es;                 /* OpenGL ES, not desktop OpenGL */
@@ -31,6 +47,10 @@ struct host_features {
     bool srgb_always;        /* what is drawn into sRGB formats is encoded, wished or not */
     bool texture_sizes;      /* can be asked for */
     int draw_buffers;
+    enum host_debug debug;
+    int debug_groups;   /* that fit into the stack */
+    bool debug_context; /* made for debugging */
+    enum host_reset reset;
     bool capabilities[HOST_CAPABILITIES_MAX];
     /* What is used, not what there is: texture units from 0 on, and array textures on unit 0. */
     int texture_units;
@@ -49,6 +69,7 @@ struct host_target {
 /* How drawing is done: what never differs for the host from one of its own commands to the next. */
 struct host_state {
     const struct host_features *features;
+    bool kept; /* saved, to be restored */
     struct host_target target;
     GLboolean capabilities[HOST_CAPABILITIES_MAX];
     GLboolean blend;
@@ -74,6 +95,9 @@ struct host_state {
 /* Slow: once per context. Two texture units are used. */
 void host_features_find(struct host_features *features);
 
+/* That part of host_features_find that is about debugging and robustness. */
+void host_debug_find(struct host_features *features);
+
 void host_target_save(struct host_target *target);
 void host_target_restore(const struct host_target *target, const struct host_features *features);
 
@@ -84,6 +108,9 @@ void host_target_restore(const struct host_target *target, const struct host_fea
  */
 void host_state_save(struct host_state *state, const struct host_features *features);
 void host_state_restore(const struct host_state *state);
+
+/* Sets the same without asking; host_state_restore does nothing then. */
+void host_state_set(struct host_state *state, const struct host_features *features);
 
 /* Between saving and restoring: adds what is drawn to what is there; alpha stays. */
 void host_set_adding(const struct host_features *features);

@@ -1,11 +1,9 @@
 /* Saving and restoring of what clearing and resolving views changes. */
 #include "host_view.h"
 
-GLboolean host_encoding_enable(const struct host_features *features)
+GLboolean host_encoding_is_on(const struct host_features *features)
 {
-    GLboolean before = features->srgb_always ? GL_TRUE : glIsEnabled(GL_FRAMEBUFFER_SRGB);
-    host_encoding_set(features, GL_TRUE);
-    return before;
+    return features->srgb_always ? GL_TRUE : glIsEnabled(GL_FRAMEBUFFER_SRGB);
 }
 
 void host_encoding_set(const struct host_features *features, GLboolean on)
@@ -19,10 +17,11 @@ void host_encoding_set(const struct host_features *features, GLboolean on)
 }
 
 /* Clears use the mask of front faces; that of back faces stays. */
-GLint host_stencil_unmask(void)
+GLint host_stencil_unmask(bool asked)
 {
     GLint before = 0;
-    glGetIntegerv(GL_STENCIL_WRITEMASK, &before);
+    if (asked)
+        glGetIntegerv(GL_STENCIL_WRITEMASK, &before);
     glStencilMaskSeparate(GL_FRONT, ~0u);
     return before;
 }

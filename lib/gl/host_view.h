@@ -5,15 +5,15 @@
 #include "host_state.h"
 
 /*
- * Whether sRGB formats are encoded when they are written and decoded when they are averaged. The
- * first returns what it was before it switches it on. No effect in OpenGL ES without
- * GL_EXT_sRGB_write_control: it is always on there.
+ * Whether sRGB formats are encoded when they are written and decoded when they are averaged. In
+ * OpenGL ES without GL_EXT_sRGB_write_control it is always on.
  */
-GLboolean host_encoding_enable(const struct host_features *features);
+GLboolean host_encoding_is_on(const struct host_features *features);
 void host_encoding_set(const struct host_features *features, GLboolean on);
 
-/* The stencil's write mask as clears use it: the first lets all bits through and returns it. */
-GLint host_stencil_unmask(void);
+/* The stencil's write mask as clears use it: the first lets all bits through and, asked, returns
+ * what it was. */
+GLint host_stencil_unmask(bool asked);
 void host_stencil_mask(GLint mask);
 
 #endif

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "log.h"
 #include "names.h"
 
 static const char *const table_names[] = {
@@ -13,7 +14,10 @@ static const char *const table_names[] = {
     [CUPOLA_TABLE_COORDINATES] = "coordinates",
 };
 
-enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0], ERRORS_PENDING_MAX = 32 };
+enum {
+    TABLE_COUNT = sizeof table_names / sizeof table_names[0],
+    COLORS_MAX = 32, /* as many as the GL has names for */
+};
 
 const char *cupola_table_name(int table)
 {
@@ -23,28 +27,6 @@ const char *cupola_table_name(int table)
 int cupola_table_find(const char *name)
 {
     return number_of_name(table_names, TABLE_COUNT, name);
-}
-
-int context_check(struct cupola_error *error)
-{
-    static const char allowed[] = "OpenGL 3.3 or OpenGL ES 3.0, or newer";
-    int version = epoxy_gl_version(); /* 0 without a context, where any GL call would abort */
-    if (version == 0)
-        return error_set(error, CUPOLA_ERROR_CONTEXT,
-                         "no GL context is current on this thread; allowed: %s", allowed);
-    bool es = !epoxy_is_desktop_gl();
-    if (version < (es ? 30 : 33))
-        return error_set(error, CUPOLA_ERROR_CONTEXT,
-                         "the GL context is OpenGL%s %d.%d; allowed: %s", es ? " ES" : "",
-                         version / 10, version % 10, allowed);
-    return CUPOLA_OK;
-}
-
-void gl_errors_drop(void)
-{
-    /* A GL keeps a handful at most, but one that has lost its context answers with one for ever. */
-    for (int i = 0; i < ERRORS_PENDING_MAX && glGetError() != GL_NO_ERROR; i++)
-        ;
 }
 
 GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
@@ -61,6 +43,10 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     }
     gl_errors_drop();
     glGenTextures(1, &texture);
+    if (!texture) {
+        gl_refused(glGetError(), error, "a texture's name");
+        return 0;
+    }
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)filter);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLint)filter);
@@ -74,8 +60,7 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     if (failure == GL_NO_ERROR)
         return texture;
     glDeleteTextures(1, &texture);
-    error_set(error, failure == GL_OUT_OF_MEMORY ? CUPOLA_ERROR_MEMORY : CUPOLA_ERROR_GL,
-              "the GL refused a texture of %d x %d px (error 0x%x)", width_px, height_px, failure);
+    gl_refused(failure, error, "a texture of %d x %d px", width_px, height_px);
     return 0;
 }
 
@@ -111,6 +96,8 @@ int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
     if (!framebuffer)
         return CUPOLA_OK; /* the default framebuffer has no textures */
     glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &colors);
+    if (colors > COLORS_MAX)
+        colors = COLORS_MAX;
     for (int i = 0; i < colors; i++) {
         GLuint attached = color_texture(i);
         for (int k = 0; attached && k < count; k++)
@@ -127,6 +114,8 @@ GLuint framebuffer_create(GLuint texture)
 {
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
+    if (!framebuffer)
+        return 0;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
@@ -162,7 +151,15 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (params->sources >> SOURCE_KINDS)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "sources is 0x%x; allowed: 0 to 0x%x",
                          params->sources, (1u << SOURCE_KINDS) - 1u);
-    return CUPOLA_OK;
+    return log_check(&params->log, error);
+}
+
+int call_ended(const cupola_gl *gl, const char *call, int status, const struct cupola_error *error)
+{
+    if (gl && status < 0)
+        guest_tell(&gl->guest, CUPOLA_LOG_ERROR, CUPOLA_LOG_CALL_FAILED, "%s: %s", call,
+                   error->message);
+    return status;
 }
 
 static void destroy_objects(cupola_gl *gl)
@@ -176,20 +173,86 @@ static void destroy_objects(cupola_gl *gl)
     glDeleteVertexArrays(1, &gl->vertex_array);
 }
 
+static int create_vertex_array(cupola_gl *gl, struct cupola_error *error)
+{
+    gl->vertex_array = vertex_array_create(&gl->guest, error);
+    return gl->vertex_array ? CUPOLA_OK : (int)error->status;
+}
+
+static int create_sampler(cupola_gl *gl, struct cupola_error *error)
+{
+    if (!(gl->params.sources >> CUPOLA_SOURCE_DOMEMASTER))
+        return CUPOLA_OK;
+    gl->sampler = sampler_create(&gl->guest, "pictures", error);
+    return gl->sampler ? CUPOLA_OK : (int)error->status;
+}
+
 static int create_objects(cupola_gl *gl, struct cupola_error *error)
 {
-    glGenVertexArrays(1, &gl->vertex_array);
     bool views = shows_source(gl, CUPOLA_SOURCE_VIEWS);
-    int status = CUPOLA_OK;
-    if (views && gl->params.storage == CUPOLA_STORAGE_ATLAS)
-        status = views_create(gl, error);
-    else if (views)
-        view_images_create(gl);
-    if (gl->params.sources >> CUPOLA_SOURCE_DOMEMASTER)
-        glGenSamplers(1, &gl->sampler);
+    int status = create_vertex_array(gl, error);
+    if (status == CUPOLA_OK && views)
+        status = gl->params.storage == CUPOLA_STORAGE_ATLAS ? views_create(gl, error)
+                                                            : view_images_create(gl, error);
+    if (status == CUPOLA_OK)
+        status = create_sampler(gl, error);
     for (int i = 0; status == CUPOLA_OK && i < gl->plan.dome.rig.output_count; i++)
         status = warp_pass_create(gl, i, error);
+    if (status != CUPOLA_OK)
+        return status;
+    GLenum failure = glGetError();
+    return failure == GL_NO_ERROR ? CUPOLA_OK
+                                  : gl_refused(failure, error, "something that a cupola_gl needs");
+}
+
+/* With the context's features found. All or nothing, and the host's state as it was. */
+static int make_objects(cupola_gl *gl, struct cupola_error *error)
+{
+    struct guest_work work;
+    int status = guest_check(&gl->guest, error);
+    if (status != CUPOLA_OK)
+        return status;
+    guest_errors_drop(&gl->guest);
+    guest_begin_making(&gl->guest, &work, "create");
+    status = create_objects(gl, error);
+    if (status != CUPOLA_OK) {
+        destroy_objects(gl);
+        gl_errors_drop();
+    }
+    guest_end(&gl->guest, &work);
+    if (status != CUPOLA_OK && guest_check(&gl->guest, NULL) == CUPOLA_ERROR_LOST)
+        status = guest_check_seen(&gl->guest, error); /* the reason of whatever failed */
     return status;
+}
+
+static int create(const cupola_plan *plan, const struct cupola_gl_params *params, cupola_gl **gl,
+                  struct cupola_error *error)
+{
+    if (!plan || !gl)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "gl" : "plan");
+    int status = context_check(error);
+    if (status != CUPOLA_OK || (status = check_params(params, error)) != CUPOLA_OK)
+        return status;
+    cupola_gl *made = calloc(1, sizeof *made);
+    if (!made)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a cupola_gl (%zu bytes)",
+                         sizeof *made);
+    made->plan = *plan;
+    made->params = *params;
+    if (!made->params.sources)
+        made->params.sources = 1u << CUPOLA_SOURCE_VIEWS;
+    host_features_find(&made->features);
+    made->features.texture_units = gain_unit(made);
+    made->features.texture_arrays = made->params.storage == CUPOLA_STORAGE_LAYERS;
+    made->guest = (struct guest){&made->features, params->log, params->leaves_state, false};
+    status = make_objects(made, error);
+    if (status != CUPOLA_OK) {
+        free(made);
+        return status;
+    }
+    instance_tell_created(made);
+    *gl = made;
+    return CUPOLA_OK;
 }
 
 int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *params, cupola_gl **gl,
@@ -198,46 +261,28 @@ int cupola_gl_create(const cupola_plan *plan, const struct cupola_gl_params *par
     struct cupola_error unwanted;
     if (!error)
         error = &unwanted; /* what is made further down answers by the error's status */
-    if (!plan || !gl)
-        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "gl" : "plan");
     struct cupola_gl_params wished = params ? *params : (struct cupola_gl_params){.border = {0}};
-    int status = context_check(error);
-    if (status != CUPOLA_OK || (status = check_params(&wished, error)) != CUPOLA_OK)
-        return status;
-    cupola_gl *made = calloc(1, sizeof *made);
-    if (!made)
-        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a cupola_gl (%zu bytes)",
-                         sizeof *made);
-    made->plan = *plan;
-    made->params = wished;
-    if (!made->params.sources)
-        made->params.sources = 1u << CUPOLA_SOURCE_VIEWS;
-    struct host_state state;
-    host_features_find(&made->features);
-    made->features.texture_units = gain_unit(made);
-    made->features.texture_arrays = made->params.storage == CUPOLA_STORAGE_LAYERS;
-    host_state_save(&state, &made->features);
-    status = create_objects(made, error);
+    int status = create(plan, &wished, gl, error);
     if (status != CUPOLA_OK)
-        destroy_objects(made);
-    host_state_restore(&state);
-    if (status != CUPOLA_OK) {
-        free(made);
-        return status;
-    }
-    *gl = made;
-    return CUPOLA_OK;
+        log_tell(&wished.log, CUPOLA_LOG_ERROR, CUPOLA_LOG_CALL_FAILED, "%s: %s", __func__,
+                 error->message);
+    return status;
 }
 
 void cupola_gl_destroy(cupola_gl **gl)
 {
     if (!gl || !*gl)
         return;
-    if (epoxy_gl_version() != 0) {
-        if ((*gl)->view_open)
-            cupola_gl_view_end(*gl, NULL);
-        destroy_objects(*gl);
+    cupola_gl *gone = *gl;
+    struct cupola_error unwanted;
+    /* In a lost context everything is gone, and another may be current by now. */
+    if (guest_check(&gone->guest, &unwanted) == CUPOLA_OK) {
+        if (gone->view_open)
+            cupola_gl_view_end(gone, NULL);
+        destroy_objects(gone);
     }
-    free(*gl);
+    guest_tell(&gone->guest, CUPOLA_LOG_INFO, CUPOLA_LOG_DESTROYED, "a cupola_gl was destroyed%s",
+               gone->guest.lost ? "; its GL objects went with the lost context" : "");
+    free(gone);
     *gl = NULL;
 }

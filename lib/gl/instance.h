@@ -13,6 +13,7 @@
 #include "cupola/gl.h"
 #include "geometry/plan.h"
 #include "geometry/source.h"
+#include "guest.h"
 #include "host_state.h"
 
 /* What shows one kind of source on one output. */
@@ -45,6 +46,7 @@ struct cupola_gl {
     struct cupola_plan plan;
     struct cupola_gl_params params;
     struct host_features features;
+    struct guest guest;  /* of the context with these features */
     GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
     GLuint atlas, depth; /* 0 without views; a depth only where one is wished */
     GLuint framebuffer;  /* what the host draws the views into */
@@ -59,11 +61,17 @@ struct cupola_gl {
     bool frame_begun;
     bool view_open;
     struct cupola_rect open_rect;   /* of that view */
-    struct host_target host_target; /* while a view is open */
+    struct host_target host_target; /* while a view is open, unless the state is left */
+    bool view_grouped;              /* the same, in a debug group */
+    bool views_drawn;               /* one of them at least, ever */
+    bool blank_told;                /* that none was */
 };
 
-/* An error unless a context of OpenGL 3.3, OpenGL ES 3.0 or newer is current. */
-int context_check(struct cupola_error *error);
+/* The end of every public call on a gl (NULL allowed): failures are told to the host's log. */
+int call_ended(const cupola_gl *gl, const char *call, int status, const struct cupola_error *error);
+
+/* Tells the log what was made, and what of the GL is used. */
+void instance_tell_created(const cupola_gl *gl);
 
 /* Whether the formats of the views are such; samples are for views_create to judge. */
 int views_check_params(const struct cupola_gl_params *params, struct cupola_error *error);
@@ -72,9 +80,11 @@ int views_check_params(const struct cupola_gl_params *params, struct cupola_erro
 int views_create(cupola_gl *gl, struct cupola_error *error);
 void views_destroy(cupola_gl *gl);
 bool views_have_stencil(const cupola_gl *gl);
+const char *views_format_name(const cupola_gl *gl);
+const char *views_depth_name(const cupola_gl *gl);
 
 /* Whether gl and an output of it may be worked on now. */
-int output_check(const cupola_gl *gl, int output, struct cupola_error *error);
+int output_check(cupola_gl *gl, int output, struct cupola_error *error);
 
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
@@ -131,7 +141,7 @@ GLint view_image_unit(int view);
 GLint gain_unit(const cupola_gl *gl);
 
 /* The views that the host brings; bind also sets what the program in use wants of them. */
-void view_images_create(cupola_gl *gl);
+int view_images_create(cupola_gl *gl, struct cupola_error *error);
 int view_images_check(const cupola_gl *gl, struct cupola_error *error);
 void view_images_bind(const cupola_gl *gl, const struct warp_program *program);
 
@@ -159,9 +169,6 @@ int target_bind(GLuint framebuffer, struct cupola_error *error);
 int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
                          struct cupola_error *error);
 
-/* Forgets errors that were there before, so that the next glGetError tells of our own calls. */
-void gl_errors_drop(void);
-
 /* A framebuffer with one colour texture. 0 on failure. */
 GLuint framebuffer_create(GLuint texture);
 
@@ -181,6 +188,12 @@ bool target_is_float32(void);
 /* An error where an encoding cannot be had because the GL encodes. */
 int target_check_encoding(const struct host_features *features, GLuint framebuffer,
                           enum cupola_encoding encoding, struct cupola_error *error);
+
+/* A vertex array without any attribute; left bound. 0 on failure. */
+GLuint vertex_array_create(const struct guest *guest, struct cupola_error *error);
+
+/* A sampler: bilinear, without mipmaps, clamped to the edge. Unit 0 has none then. 0 on failure. */
+GLuint sampler_create(const struct guest *guest, const char *name, struct cupola_error *error);
 
 void draw_fullscreen(GLuint vertex_array);
 

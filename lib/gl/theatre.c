@@ -19,7 +19,9 @@ static const double rotation_slack = 1e-6;
 struct cupola_theatre {
     struct cupola_dome dome;
     struct host_features features;
+    struct guest guest; /* of the context with these features */
     GLuint vertex_array;
+    GLuint sampler; /* of the images: their own settings are not touched */
     GLuint programs[CUPOLA_OUTPUTS_MAX];
 };
 
@@ -55,7 +57,8 @@ static int create_programs(cupola_theatre *theatre, struct cupola_error *error)
         program_defines(&theatre->dome, i, 1, 0, defines);
         GLuint program = program_create(defines, files, 3, error);
         if (!program)
-            return CUPOLA_ERROR_GL;
+            return error->status;
+        guest_name(&theatre->guest, GL_PROGRAM, program, "theatre of output %d", i);
         glUseProgram(program);
         program_set_projector(program, &theatre->dome, i);
         set_furniture(program, &theatre->dome);
@@ -68,12 +71,43 @@ static void destroy_objects(cupola_theatre *theatre)
 {
     for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
         glDeleteProgram(theatre->programs[i]);
+    glDeleteSamplers(1, &theatre->sampler);
     glDeleteVertexArrays(1, &theatre->vertex_array);
+}
+
+static int create_objects(cupola_theatre *theatre, struct cupola_error *error)
+{
+    theatre->vertex_array = vertex_array_create(&theatre->guest, error);
+    if (!theatre->vertex_array)
+        return error->status;
+    theatre->sampler = sampler_create(&theatre->guest, "theatre", error);
+    return theatre->sampler ? create_programs(theatre, error) : (int)error->status;
+}
+
+/* With the context's features found. All or nothing, and the host's state as it was. */
+static int make_objects(cupola_theatre *theatre, struct cupola_error *error)
+{
+    struct guest_work work;
+    int status = guest_check(&theatre->guest, error);
+    if (status != CUPOLA_OK)
+        return status;
+    guest_begin_making(&theatre->guest, &work, "theatre");
+    status = create_objects(theatre, error);
+    if (status != CUPOLA_OK) {
+        destroy_objects(theatre);
+        gl_errors_drop();
+    }
+    guest_end(&theatre->guest, &work);
+    if (status != CUPOLA_OK && guest_check(&theatre->guest, NULL) == CUPOLA_ERROR_LOST)
+        status = guest_check_seen(&theatre->guest, error); /* the reason of whatever failed */
+    return status;
 }
 
 int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
                           struct cupola_error *error)
 {
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
     if (!dome || !theatre)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", dome ? "theatre" : "dome");
     int status = context_check(error);
@@ -84,14 +118,10 @@ int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
         return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a theatre (%zu bytes)",
                          sizeof *made);
     made->dome = *dome;
-    struct host_state state;
     host_features_find(&made->features);
-    host_state_save(&state, &made->features);
-    glGenVertexArrays(1, &made->vertex_array);
-    status = create_programs(made, error);
-    host_state_restore(&state);
+    made->guest.features = &made->features;
+    status = make_objects(made, error);
     if (status != CUPOLA_OK) {
-        destroy_objects(made);
         free(made);
         return status;
     }
@@ -103,7 +133,7 @@ void cupola_theatre_destroy(cupola_theatre **theatre)
 {
     if (!theatre || !*theatre)
         return;
-    if (epoxy_gl_version() != 0)
+    if (guest_check(&(*theatre)->guest, NULL) == CUPOLA_OK)
         destroy_objects(*theatre);
     free(*theatre);
     *theatre = NULL;
@@ -224,24 +254,11 @@ static void set_spectator(GLuint program, const cupola_dome *dome,
     glUniform1i(glGetUniformLocation(program, "furniture"), spectator->furniture);
 }
 
-/* Our own filter for the host's textures: their own settings are not touched. */
-static GLuint bilinear_sampler(void)
-{
-    GLuint sampler = 0;
-    glGenSamplers(1, &sampler);
-    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindSampler(0, sampler);
-    return sampler;
-}
-
 static void draw_outputs(const cupola_theatre *theatre, const unsigned int *images,
                          const struct cupola_spectator *spectator, int width, int height,
                          struct cupola_target place)
 {
-    GLuint sampler = bilinear_sampler();
+    glBindSampler(0, theatre->sampler);
     host_set_area(&theatre->features, place.x, place.y, width, height);
     for (int i = 0; i < theatre->dome.rig.output_count; i++) {
         GLuint program = theatre->programs[i];
@@ -253,7 +270,6 @@ static void draw_outputs(const cupola_theatre *theatre, const unsigned int *imag
         glBindTexture(GL_TEXTURE_2D, images[i]);
         draw_fullscreen(theatre->vertex_array);
     }
-    glDeleteSamplers(1, &sampler);
 }
 
 /* With the host's state saved. */
@@ -287,12 +303,14 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     if (!theatre || !images)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL",
                          theatre ? "images" : "theatre");
-    int status = check_spectator(spectator, width, height, error);
-    if (status != CUPOLA_OK || (status = context_check(error)) != CUPOLA_OK)
+    int status = guest_check_seen(&theatre->guest, error);
+    if (status != CUPOLA_OK ||
+        (status = check_spectator(spectator, width, height, error)) != CUPOLA_OK ||
+        (status = guest_check(&theatre->guest, error)) != CUPOLA_OK)
         return status;
     struct cupola_target place = target ? *target : (struct cupola_target){0};
-    struct host_state state;
-    host_state_save(&state, &theatre->features);
+    struct guest_work work;
+    guest_begin(&theatre->guest, &work, "theatre");
     status = check_images(theatre, images, error);
     if (status == CUPOLA_OK)
         status = target_bind(place.framebuffer, error);
@@ -303,6 +321,6 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
         status = check_blending(theatre, place.framebuffer, error);
     if (status == CUPOLA_OK)
         draw_outputs(theatre, images, spectator, width, height, place);
-    host_state_restore(&state);
+    guest_end(&theatre->guest, &work);
     return status;
 }

@@ -3,11 +3,12 @@
 #include "host_view.h"
 #include "instance.h"
 
-int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
-                          struct cupola_error *error)
+static int frame_begin(cupola_gl *gl, const struct cupola_frame *frame, struct cupola_error *error)
 {
     if (!gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
+    if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
+        return CUPOLA_ERROR_LOST;
     if (!shows_source(gl, CUPOLA_SOURCE_VIEWS))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "gl was made without views; allowed: one whose sources have them");
@@ -27,45 +28,56 @@ int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
     return gl->plan.view_count;
 }
 
+int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
+                          struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, frame_begin(gl, frame, error), error);
+}
+
 /* Colour in linear light, depth to the far end, stencil to 0. */
 static void clear_view(const cupola_gl *gl)
 {
     const struct cupola_frame *frame = &gl->frame;
     const GLfloat farthest = frame->depth.reversed ? 0 : 1;
-    bool stencil = views_have_stencil(gl);
-    GLint stencil_mask = stencil ? host_stencil_unmask() : 0;
+    bool stencil = views_have_stencil(gl), kept = !gl->guest.leaves_state;
+    GLint stencil_mask = stencil ? host_stencil_unmask(kept) : 0;
     host_encoding_set(&gl->features, GL_TRUE); /* host_state_restore puts it back */
     glClearBufferfv(GL_COLOR, 0, frame->clear_color);
     if (stencil)
         glClearBufferfi(GL_DEPTH_STENCIL, 0, farthest, 0);
     else if (gl->depth)
         glClearBufferfv(GL_DEPTH, 0, &farthest);
-    if (stencil)
+    if (stencil && kept)
         host_stencil_mask(stencil_mask);
 }
 
-int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
-                         struct cupola_error *error)
+static int view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
+                      struct cupola_error *error)
 {
     struct cupola_camera camera;
     if (!gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
+    if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
+        return CUPOLA_ERROR_LOST;
     if (!gl->frame_begun || gl->view_open)
         return error_set(error, CUPOLA_ERROR_ORDER, "view_begin %s",
                          gl->view_open ? "inside of a view; end it first"
                                        : "before frame_begin; begin a frame first");
     int status = cupola_plan_camera(&gl->plan, index, &gl->frame.depth, &camera, error);
-    if (status != CUPOLA_OK || (status = context_check(error)) != CUPOLA_OK)
+    if (status != CUPOLA_OK || (status = guest_check(&gl->guest, error)) != CUPOLA_OK)
         return status;
 
     struct cupola_rect rect = gl->plan.views[index].rect;
-    struct host_state state;
-    host_state_save(&state, &gl->features);
-    gl->host_target = state.target;
+    struct guest_work work;
+    guest_begin(&gl->guest, &work, "view %d", index);
+    gl->host_target = work.state.target;
+    gl->view_grouped = work.grouped;
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
     host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);
     clear_view(gl);
-    host_state_restore(&state);
+    host_state_restore(&work.state); /* the group stays open for what the host draws */
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
     host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);
     gl->view_open = true;
@@ -73,6 +85,14 @@ int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
     if (view)
         *view = (struct cupola_gl_view){gl->framebuffer, rect, camera};
     return CUPOLA_OK;
+}
+
+int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
+                         struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, view_begin(gl, index, view, error), error);
 }
 
 /*
@@ -83,27 +103,42 @@ static void resolve_view(const cupola_gl *gl)
 {
     const struct cupola_rect *rect = &gl->open_rect;
     int right = rect->x + rect->width, top = rect->y + rect->height;
-    GLboolean encoding = host_encoding_enable(&gl->features);
+    bool kept = !gl->guest.leaves_state;
+    GLboolean encoding = kept && host_encoding_is_on(&gl->features);
+    host_encoding_set(&gl->features, GL_TRUE);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, gl->framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, gl->resolved);
     host_set_area(&gl->features, rect->x, rect->y, rect->width, rect->height);
     glBlitFramebuffer(rect->x, rect->y, right, top, rect->x, rect->y, right, top,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    host_encoding_set(&gl->features, encoding);
+    if (kept)
+        host_encoding_set(&gl->features, encoding);
 }
 
-int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error)
+static int view_end(cupola_gl *gl, struct cupola_error *error)
 {
     if (!gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
-    if (!gl->view_open)
+    if (!gl->view_open && !gl->guest.lost)
         return error_set(error, CUPOLA_ERROR_ORDER, "view_end outside of a view; begin one first");
-    int status = context_check(error);
+    int status = guest_check(&gl->guest, error);
+    if (status == CUPOLA_ERROR_LOST)
+        gl->view_open = false;
     if (status != CUPOLA_OK)
         return status;
     if (gl->resolved)
         resolve_view(gl);
-    host_target_restore(&gl->host_target, &gl->features);
+    if (!gl->guest.leaves_state)
+        host_target_restore(&gl->host_target, &gl->features);
+    guest_group_close(&gl->guest, gl->view_grouped);
     gl->view_open = false;
+    gl->views_drawn = true;
     return CUPOLA_OK;
+}
+
+int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, view_end(gl, error), error);
 }

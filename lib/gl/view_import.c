@@ -7,13 +7,10 @@ GLint view_image_unit(int view)
     return view == 0 ? UNIT_IMAGE : UNIT_TABLE + view;
 }
 
-void view_images_create(cupola_gl *gl)
+int view_images_create(cupola_gl *gl, struct cupola_error *error)
 {
-    glGenSamplers(1, &gl->image_sampler);
-    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(gl->image_sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl->image_sampler = sampler_create(&gl->guest, "the host's views", error);
+    return gl->image_sampler ? CUPOLA_OK : (int)error->status;
 }
 
 static GLenum kind_of(const cupola_gl *gl)
@@ -116,26 +113,36 @@ static void keep(cupola_gl *gl, const struct cupola_view_image *images)
     gl->images.given = true;
 }
 
-int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_image *images,
-                           struct cupola_error *error)
+static int views_import(cupola_gl *gl, const struct cupola_view_image *images,
+                        struct cupola_error *error)
 {
     if (!gl || !images)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", gl ? "images" : "gl");
+    if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
+        return CUPOLA_ERROR_LOST;
     if (gl->params.storage == CUPOLA_STORAGE_ATLAS || !shows_source(gl, CUPOLA_SOURCE_VIEWS))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "gl was made for views of its own or for none; allowed: one with storage "
                          "textures or layers");
-    int status = context_check(error);
+    int status = guest_check(&gl->guest, error);
     if (status != CUPOLA_OK)
         return status;
-    struct host_state state;
-    host_state_save(&state, &gl->features);
+    struct guest_work work;
+    guest_begin(&gl->guest, &work, "import of views");
     for (int i = 0; status == CUPOLA_OK && i < gl->plan.view_count; i++)
         status = check_image(gl, images, i, error);
-    host_state_restore(&state);
+    guest_end(&gl->guest, &work);
     if (status == CUPOLA_OK)
         keep(gl, images);
     return status;
+}
+
+int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_image *images,
+                           struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, views_import(gl, images, error), error);
 }
 
 int view_images_check(const cupola_gl *gl, struct cupola_error *error)

@@ -105,18 +105,24 @@ static GLuint renderbuffer_create(const cupola_gl *gl, GLenum internal, GLint sa
     GLuint name = 0;
     gl_errors_drop();
     glGenRenderbuffers(1, &name);
+    if (!name) {
+        gl_refused(glGetError(), error, "a renderbuffer's name");
+        return 0;
+    }
     glBindRenderbuffer(GL_RENDERBUFFER, name);
     if (samples > 1)
         glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, internal, width, height);
     else
         glRenderbufferStorage(GL_RENDERBUFFER, internal, width, height);
     GLenum failure = glGetError();
-    if (failure == GL_NO_ERROR)
+    if (failure == GL_NO_ERROR) {
+        guest_name(&gl->guest, GL_RENDERBUFFER, name, "%s of views, %d x %d px", what, width,
+                   height);
         return name;
+    }
     glDeleteRenderbuffers(1, &name);
-    error_set(error, failure == GL_OUT_OF_MEMORY ? CUPOLA_ERROR_MEMORY : CUPOLA_ERROR_GL,
-              "the GL refused a %s buffer of %d x %d px and %d samples (error 0x%x)", what, width,
-              height, samples > 1 ? samples : 1, failure);
+    gl_refused(failure, error, "a %s buffer of %d x %d px and %d samples", what, width, height,
+               samples > 1 ? samples : 1);
     return 0;
 }
 
@@ -125,6 +131,8 @@ static int create_framebuffer(cupola_gl *gl, struct cupola_error *error)
 {
     if (gl->samples) {
         glGenFramebuffers(1, &gl->framebuffer);
+        if (!gl->framebuffer)
+            return gl_refused(glGetError(), error, "a framebuffer's name");
         glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                   gl->samples);
@@ -140,6 +148,7 @@ static int create_framebuffer(cupola_gl *gl, struct cupola_error *error)
                          "the GL cannot draw into views of %s with depth %s and %d samples",
                          colors[gl->params.format].name, depths[gl->params.depth].name,
                          gl->params.samples);
+    guest_name(&gl->guest, GL_FRAMEBUFFER, gl->framebuffer, "views");
     return CUPOLA_OK;
 }
 
@@ -150,6 +159,7 @@ static int create_samples(cupola_gl *gl, struct cupola_error *error)
     if (!gl->resolved)
         return error_set(error, CUPOLA_ERROR_GL, "the GL cannot draw into views of %s",
                          colors[gl->params.format].name);
+    guest_name(&gl->guest, GL_FRAMEBUFFER, gl->resolved, "resolved views");
     gl->samples = renderbuffer_create(gl, colors[gl->params.format].internal, gl->params.samples,
                                       "color", error);
     return gl->samples ? CUPOLA_OK : (int)error->status;
@@ -165,6 +175,8 @@ int views_create(cupola_gl *gl, struct cupola_error *error)
     gl->atlas = texture_create(colors[gl->params.format].internal, width, height, GL_LINEAR, error);
     if (!gl->atlas)
         return error->status;
+    guest_name(&gl->guest, GL_TEXTURE, gl->atlas, "views, %d x %d px %s", width, height,
+               colors[gl->params.format].name);
     if (gl->params.samples > 1 && (status = create_samples(gl, error)) != CUPOLA_OK)
         return status;
     if (depths[gl->params.depth].internal != GL_NONE) {
@@ -181,6 +193,16 @@ int views_create(cupola_gl *gl, struct cupola_error *error)
     host_set_area(&gl->features, 0, 0, width, height);
     glClearBufferfv(GL_COLOR, 0, black);
     return CUPOLA_OK;
+}
+
+const char *views_format_name(const cupola_gl *gl)
+{
+    return colors[gl->params.format].name;
+}
+
+const char *views_depth_name(const cupola_gl *gl)
+{
+    return depths[gl->params.depth].name;
 }
 
 bool views_have_stencil(const cupola_gl *gl)

@@ -9,8 +9,8 @@
 #include "shaders.h"
 
 /* Draws a stage's table of one output into a new texture. 0 on failure. */
-static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
-                           struct cupola_error *error)
+static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stage,
+                         struct cupola_error *error)
 {
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     static const struct shader_file files[] = {
@@ -19,8 +19,6 @@ static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table st
         {"views.glsl", shader_views_glsl},
         {"table.frag", shader_table_frag},
     };
-    if (!gl->features.float_targets)
-        return table_upload(gl, output, stage, error);
     char defines[PROGRAM_DEFINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)stage, defines);
     GLuint program = program_create(defines, files, 4, error);
@@ -43,6 +41,23 @@ static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table st
     }
     glUseProgram(0);
     glDeleteProgram(program);
+    return table;
+}
+
+static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
+                           struct cupola_error *error)
+{
+    const char *name = cupola_table_name((int)stage);
+    bool grouped = guest_group_open(&gl->guest, "table %s of output %d", name, output);
+    if (!gl->features.float_targets)
+        guest_tell(&gl->guest, CUPOLA_LOG_WARNING, CUPOLA_LOG_TABLE_ON_CPU,
+                   "table %s of output %d is computed on the CPU: this GL cannot draw into floats",
+                   name, output);
+    GLuint table = gl->features.float_targets ? table_draw(gl, output, stage, error)
+                                              : table_upload(gl, output, stage, error);
+    if (table)
+        guest_name(&gl->guest, GL_TEXTURE, table, "table %s of output %d", name, output);
+    guest_group_close(&gl->guest, grouped);
     return table;
 }
 
@@ -99,6 +114,8 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
                          : source_program_create(gl, output, kind, lines, error);
     if (!program)
         return error->status;
+    guest_name(&gl->guest, GL_PROGRAM, program, "warp of %s to output %d%s",
+               cupola_source_name(kind), output, gained ? ", with gain" : "");
     glUniform4fv(glGetUniformLocation(program, "border"), 1, gl->params.border);
     glUniform1i(glGetUniformLocation(program, "gain"), gain_unit(gl));
     *made = (struct warp_program){
@@ -161,16 +178,18 @@ void warp_pass_destroy(struct warp_pass *pass)
     *pass = (struct warp_pass){0};
 }
 
-int output_check(const cupola_gl *gl, int output, struct cupola_error *error)
+int output_check(cupola_gl *gl, int output, struct cupola_error *error)
 {
     if (!gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
+    if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
+        return CUPOLA_ERROR_LOST;
     if (gl->view_open)
         return error_set(error, CUPOLA_ERROR_ORDER, "a view is open; end it first");
     if (output < 0 || output >= gl->plan.dome.rig.output_count)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "output is %d; allowed: 0 to %d", output,
                          gl->plan.dome.rig.output_count - 1);
-    return context_check(error);
+    return guest_check(&gl->guest, error);
 }
 
 static void views_bind(const cupola_gl *gl, int output, const struct warp_program *program)
@@ -236,31 +255,49 @@ static int check_sampled(const cupola_gl *gl, int output, const struct cupola_so
     return status;
 }
 
-int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_source *source,
-                   const struct cupola_target *target, struct cupola_error *error)
+/* Black is what views show that nobody has drawn, and a riddle to whoever forgot to. */
+static void tell_if_blank(cupola_gl *gl)
+{
+    if (gl->views_drawn || gl->blank_told)
+        return;
+    guest_tell(&gl->guest, CUPOLA_LOG_WARNING, CUPOLA_LOG_NOT_DRAWN,
+               "a warp shows views of which none was ever drawn");
+    gl->blank_told = true;
+}
+
+static int warp(cupola_gl *gl, int output, const struct cupola_source *source,
+                const struct cupola_target *target, struct cupola_error *error)
 {
     int status = output_check(gl, output, error);
     if (status != CUPOLA_OK)
         return status;
     struct cupola_target place = target ? *target : (struct cupola_target){0};
     struct cupola_source shown = source ? *source : (struct cupola_source){.texture = 0};
-    struct host_state state;
-    host_state_save(&state, &gl->features);
+    struct guest_work work;
+    guest_begin(&gl->guest, &work, "warp of output %d", output);
     status = check_sampled(gl, output, &shown, place.framebuffer, error);
     if (status == CUPOLA_OK)
         status =
             target_check_encoding(&gl->features, place.framebuffer, gl->params.encoding, error);
     if (status == CUPOLA_OK)
         warp_draw(gl, output, &shown, &place);
-    host_state_restore(&state);
+    guest_end(&gl->guest, &work);
+    if (status == CUPOLA_OK && shown.kind == CUPOLA_SOURCE_VIEWS &&
+        gl->params.storage == CUPOLA_STORAGE_ATLAS)
+        tell_if_blank(gl);
     return status;
 }
 
-int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cupola_error *error)
+int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_source *source,
+                   const struct cupola_target *target, struct cupola_error *error)
 {
     struct cupola_error unwanted;
-    if (!error)
-        error = &unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, warp(gl, output, source, target, error), error);
+}
+
+static int points(cupola_gl *gl, int output, unsigned int *texture, struct cupola_error *error)
+{
     int status = output_check(gl, output, error);
     if (status != CUPOLA_OK)
         return status;
@@ -268,13 +305,25 @@ int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cu
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "texture is NULL");
     struct warp_pass *pass = &gl->passes[output];
     if (!pass->points) {
-        struct host_state state;
-        host_state_save(&state, &gl->features);
+        struct guest_work work;
+        guest_errors_drop(&gl->guest);
+        guest_begin_making(&gl->guest, &work, "points of output %d", output);
         pass->points = table_create(gl, output, CUPOLA_TABLE_POINTS, error);
-        host_state_restore(&state);
         if (!pass->points)
-            return error->status;
+            gl_errors_drop();
+        guest_end(&gl->guest, &work);
+        if (!pass->points)
+            return guest_check(&gl->guest, NULL) == CUPOLA_ERROR_LOST
+                       ? guest_check_seen(&gl->guest, error)
+                       : (int)error->status;
     }
     *texture = pass->points;
     return CUPOLA_OK;
+}
+
+int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    return call_ended(gl, __func__, points(gl, output, texture, error), error);
 }

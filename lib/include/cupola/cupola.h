@@ -9,6 +9,7 @@
 #include "error.h"
 #include "gl.h"
 #include "lens.h"
+#include "log.h"
 #include "plan.h"
 #include "reference.h"
 #include "rig.h"

@@ -4,7 +4,8 @@
  * perspective rendering of the scene shows, and that is the end-to-end test of everything else.
  *
  * Rules of the context, of threads and of state as in gl.h. GL errors that are pending stay so,
- * except that cupola_theatre_draw drops one where it finds an image that is no 2-D texture.
+ * except that cupola_theatre_draw drops one where it finds an image that is no 2-D texture, and
+ * cupola_theatre_create drops them where it fails.
  */
 #ifndef CUPOLA_THEATRE_H
 #define CUPOLA_THEATRE_H
@@ -26,6 +27,7 @@ typedef struct cupola_theatre cupola_theatre;
  *          CUPOLA_ERROR_ARGUMENT if dome or theatre is NULL
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than OpenGL 3.3 or
  *          OpenGL ES 3.0
+ *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a shader
  * thread   the context's
@@ -84,6 +86,7 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
  *          CUPOLA_ERROR_ARGUMENT if theatre, images or spectator is NULL, the spectator is not as
  *          said above, a side is not, or an image is no 2-D texture or a colour of the target
  *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
  * thread   the context's
  * since    0.1
