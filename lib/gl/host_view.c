@@ -17,16 +17,16 @@ void host_encoding_set(const struct host_features *features, GLboolean on)
 }
 
 /* Clears use the mask of front faces; that of back faces stays. */
-GLint host_stencil_unmask(bool asked)
+GLuint host_stencil_unmask(bool asked)
 {
-    GLint before = 0;
+    GLint64 before = 0; /* as GLint the uppermost bit would be lost */
     if (asked)
-        glGetIntegerv(GL_STENCIL_WRITEMASK, &before);
+        glGetInteger64v(GL_STENCIL_WRITEMASK, &before);
     glStencilMaskSeparate(GL_FRONT, ~0u);
-    return before;
+    return (GLuint)before;
 }
 
-void host_stencil_mask(GLint mask)
+void host_stencil_mask(GLuint mask)
 {
-    glStencilMaskSeparate(GL_FRONT, (GLuint)mask);
+    glStencilMaskSeparate(GL_FRONT, mask);
 }

@@ -13,7 +13,7 @@ void host_encoding_set(const struct host_features *features, GLboolean on);
 
 /* The stencil's write mask as clears use it: the first lets all bits through and, asked, returns
  * what it was. */
-GLint host_stencil_unmask(bool asked);
-void host_stencil_mask(GLint mask);
+GLuint host_stencil_unmask(bool asked);
+void host_stencil_mask(GLuint mask);
 
 #endif

@@ -42,7 +42,7 @@ static void clear_view(const cupola_gl *gl)
     const struct cupola_frame *frame = &gl->frame;
     const GLfloat farthest = frame->depth.reversed ? 0 : 1;
     bool stencil = views_have_stencil(gl), kept = !gl->guest.leaves_state;
-    GLint stencil_mask = stencil ? host_stencil_unmask(kept) : 0;
+    GLuint stencil_mask = stencil ? host_stencil_unmask(kept) : 0;
     host_encoding_set(&gl->features, GL_TRUE); /* host_state_restore puts it back */
     glClearBufferfv(GL_COLOR, 0, frame->clear_color);
     if (stencil)

@@ -2,7 +2,9 @@
 #ifndef HOST_OBJECTS_H
 #define HOST_OBJECTS_H
 
+#include "fixture.h"
 #include "hostilities.h"
+#include "rig_random.h"
 
 enum target { TARGET_SRGB, TARGET_SAMPLES, TARGET_FLOAT, TARGETS };
 enum { TARGET_WIDTH = 112, TARGET_HEIGHT = 64 };
@@ -136,6 +138,17 @@ static void bindings_create(void)
         glBindBuffer(GL_ARRAY_BUFFER, hostile_buffers[i]);
         glBufferData(GL_ARRAY_BUFFER, HOSTILE_BYTES, NULL, GL_STATIC_DRAW);
     }
+}
+
+/* Views that are encoded, have a stencil and are resolved: what those need of the state, too. */
+static struct fixture sampled;
+
+static void sampled_create(void)
+{
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 90.0, 48);
+    const struct cupola_gl_params params = {
+        .format = CUPOLA_FORMAT_SRGB8, .depth = CUPOLA_DEPTH_24_STENCIL_8, .samples = 2};
+    fixture_make(&rig, NULL, &params, &sampled);
 }
 
 static void objects_create(void)

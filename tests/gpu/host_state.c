@@ -61,6 +61,17 @@ static void add_targets(struct results *results)
         add_pixels(results, target_resolved(i), GL_RGBA, TARGET_WIDTH, TARGET_HEIGHT);
 }
 
+static void add_sampled(struct results *results)
+{
+    const struct cupola_plan_report *report = cupola_plan_report(sampled.plan);
+    int values = 4 * report->atlas_width_px * report->atlas_height_px;
+    float *atlas = fixture_atlas(&sampled);
+    assert_true(results->count + values <= RESULTS_MAX);
+    memcpy(results->values + results->count, atlas, (size_t)values * sizeof *atlas);
+    results->count += values;
+    free(atlas);
+}
+
 static struct results results_create(void)
 {
     struct results results = {0, calloc(RESULTS_MAX, sizeof(float))};
@@ -89,6 +100,7 @@ static int setup(void **state)
     context_open();
     state_reset();
     objects_create();
+    sampled_create();
     state_reset();
     snapshot_take(&clean);
     return 0;
@@ -97,6 +109,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     (void)state;
+    fixture_release(&sampled);
     objects_release();
     context_close();
     return 0;
@@ -233,6 +246,9 @@ static struct results all_calls(struct host *host)
     be_clean();
     be_hostile(host);
     begin_views(gl, host);
+    begin_views(sampled.gl, host);
+    be_clean();
+    add_sampled(&results);
     be_clean();
     add_pixels(&results, views, GL_RGBA, report->atlas_width_px, report->atlas_height_px);
     add_pixels(&results, views, GL_DEPTH_COMPONENT, report->atlas_width_px,

@@ -135,7 +135,6 @@ static inline void snapshot_values(struct snapshot *all)
                                    GL_DEPTH_WRITEMASK,
                                    GL_DEPTH_CLEAR_VALUE,
                                    GL_STENCIL_FUNC,
-                                   GL_STENCIL_REF,
                                    GL_STENCIL_VALUE_MASK,
                                    GL_STENCIL_FAIL,
                                    GL_STENCIL_WRITEMASK,
@@ -241,6 +240,7 @@ static inline void snapshot_target(struct snapshot *all)
     snapshot_floats(all, GL_DRAW_FRAMEBUFFER_BINDING, 1);
     snapshot_floats(all, GL_READ_FRAMEBUFFER_BINDING, 1);
     snapshot_floats(all, GL_DRAW_BUFFER0, 1);
+    snapshot_floats(all, GL_STENCIL_REF, 1); /* told within what the framebuffer can hold */
     snapshot_floats(all, GL_READ_BUFFER, 1);
     snapshot_floats(all, GL_VIEWPORT, 4);
     snapshot_floats(all, GL_SCISSOR_BOX, 4);
