@@ -107,9 +107,9 @@ static int refuse_asymmetric(double farthest_rad, struct cupola_error *error)
                      farthest_rad * (180 / pi));
 }
 
-/* Names the least number of views that would do. */
-static int refuse_rotated(struct planning *planning, int count, double farthest_rad,
-                          struct cupola_error *error)
+/* Names the least number of views that would do, or else the lens for which none does. */
+static int refuse_rotated(struct planning *planning, const cupola_dome *dome, int count,
+                          double farthest_rad, struct cupola_error *error)
 {
     for (int enough = count + 1; enough <= CUPOLA_VIEWS_MAX; enough++) {
         struct cupola_view views[CUPOLA_VIEWS_MAX];
@@ -120,10 +120,7 @@ static int refuse_rotated(struct planning *planning, int count, double farthest_
                              "off a view's axis, more than 80; allowed: at least %d views",
                              count, count == 1 ? "" : "s", farthest_rad * (180 / pi), enough);
     }
-    return error_set(error, CUPOLA_ERROR_LAYOUT,
-                     "layout rotated cannot reach every ray, not even with %d views; allowed: "
-                     "rays within 80 degrees of a view's axis",
-                     CUPOLA_VIEWS_MAX);
+    return plan_refuse_lens(dome, &planning->coarse, COARSE_CELLS, &planning->sizing, error);
 }
 
 static int choose_views(struct planning *planning, cupola_plan *plan, struct cupola_error *error)
@@ -145,7 +142,7 @@ static int choose_views(struct planning *planning, cupola_plan *plan, struct cup
         for (; count <= most && found == CUPOLA_ERROR_LAYOUT; count++)
             found = try_layout(planning, CUPOLA_LAYOUT_ROTATED, count, plan->views, &farthest);
         if (found == CUPOLA_ERROR_LAYOUT)
-            return refuse_rotated(planning, most, farthest, error);
+            return refuse_rotated(planning, &plan->dome, most, farthest, error);
     }
     if (found < 0)
         return error_set(error, (enum cupola_status)found, "no memory for a plan");

@@ -4,6 +4,7 @@
  *   plan_rays    the rays of all outputs on a grid of places, once per plan
  *   plan_layout  candidates: orientations and selectors for a number of views
  *   plan_fit     base rectangles of a candidate, from the rays
+ *   plan_refusal which lens it is that no layout can serve
  *   plan_density texels per unit of the base plane
  *   plan_atlas   the views' places in the atlas
  *   plan_camera  matrices and frustum planes
@@ -140,6 +141,13 @@ int plan_layout_asymmetric(struct plan_rays *rays, int count, const struct plan_
                            struct cupola_view *views, double *farthest_rad);
 int plan_layout_rotated(struct plan_rays *rays, int count, const struct plan_sizing *sizing,
                         struct cupola_view *views, double *farthest_rad);
+
+/*
+ * CUPOLA_ERROR_LAYOUT with the lens because of which not even CUPOLA_VIEWS_MAX rotated views reach
+ * every ray of the grid `rays`, made with `cells_max`, and what it may be.
+ */
+int plan_refuse_lens(const cupola_dome *dome, const struct plan_rays *rays, int cells_max,
+                     const struct plan_sizing *sizing, struct cupola_error *error);
 
 /* Places rectangles, whose sizes are set, in an atlas of the least area found. */
 int plan_atlas_pack(struct cupola_view *views, int count, int max_px, int *width_px, int *height_px,

@@ -266,6 +266,32 @@ static void layouts_have_names_and_are_found_by_them(void **state)
     assert_int_equal(cupola_layout_find(NULL), CUPOLA_ERROR_ARGUMENT);
 }
 
+/* What the message allows is possible, and a degree more is not. */
+static void a_lens_too_steep_for_any_layout_is_named(void **state)
+{
+    (void)state;
+    struct cupola_rig rig = plain_rig(CUPOLA_LENS_STEREOGRAPHIC, 358.0, 64);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    int allowed = 0;
+    assert_int_equal(plan_status(&rig, NULL, &error), CUPOLA_ERROR_LAYOUT);
+    assert_non_null(strstr(error.message, "lens stereographic of output 0"));
+    assert_non_null(strstr(error.message, "358 degrees"));
+    const char *limit = strstr(error.message, "up to ");
+    assert_non_null(limit);
+    assert_int_equal(sscanf(limit, "up to %*f rad (%d degrees)", &allowed), 1);
+    rig.outputs[0].lens.fov_rad = radians(allowed);
+    assert_int_equal(plan_status(&rig, NULL, &error), CUPOLA_OK);
+    rig.outputs[0].lens.fov_rad = radians(allowed + 1);
+    assert_int_equal(plan_status(&rig, NULL, &error), CUPOLA_ERROR_LAYOUT);
+
+    /* Of two outputs it is the steeper one. */
+    rig.output_count = 2;
+    rig.outputs[1] = rig.outputs[0];
+    rig.outputs[1].lens.fov_rad = radians(359.0);
+    assert_int_equal(plan_status(&rig, NULL, &error), CUPOLA_ERROR_LAYOUT);
+    assert_non_null(strstr(error.message, "lens stereographic of output 1"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -276,6 +302,7 @@ int main(void)
         cmocka_unit_test(one_plane_is_the_cameras_where_all_rays_are_within_80_degrees_of_it),
         cmocka_unit_test(one_plane_is_refused_beyond_80_degrees_and_the_other_layout_named),
         cmocka_unit_test(too_few_rotated_views_are_refused),
+        cmocka_unit_test(a_lens_too_steep_for_any_layout_is_named),
         cmocka_unit_test(every_number_of_views_is_given_where_it_is_possible),
         cmocka_unit_test(every_impossible_wish_is_refused_by_name),
         cmocka_unit_test(an_atlas_that_would_be_too_large_is_refused),
