@@ -83,6 +83,9 @@ int main(int argc, char **argv)
             return complain(status, message);
         setup.plan = options.plan;
         setup.table = options.table;
+        setup.view_format = options.view_format;
+        setup.samples = options.samples;
+        setup.reversed_depth = options.reversed_depth;
         setup.mode = options.mode;
         setup.source = options.show_as;
         setup.output = options_output(&options);

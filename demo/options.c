@@ -37,6 +37,19 @@ static const char *preview_name(int index)
     return name_at(names, 2, index);
 }
 
+/* In the order of enum cupola_format. */
+static const char *view_format_name(int index)
+{
+    static const char *const names[] = {"rgba8", "rgba16f", "rgba32f", "srgb8"};
+    return name_at(names, 4, index);
+}
+
+static const char *depth_name(int index)
+{
+    static const char *const names[] = {"forward", "reversed"};
+    return name_at(names, 2, index);
+}
+
 /* Every kind of source but the views. */
 static const char *picture_kind_name(int index)
 {
@@ -242,6 +255,15 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
         return value_integer(c, text, 1, 16384, &o->plan.view_size_px);
     case OPTION_GUARD:
         return value_integer(c, text, 1, 256, &o->plan.guard_px);
+    case OPTION_VIEW_FORMAT:
+        return value_name(c, text, view_format_name, &o->view_format);
+    case OPTION_MSAA:
+        return value_integer(c, text, 1, 64, &o->samples);
+    case OPTION_DEPTH:
+        if (!value_name(c, text, depth_name, &index))
+            return false;
+        o->reversed_depth = index == 1;
+        return true;
     default:
         if (!value_name(c, text, cupola_table_name, &index))
             return false;
@@ -340,8 +362,12 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
     int code, index = 0;
     const char *problem;
 
-    *options = (struct options){
-        .lens = -1, .flip = -1, .show_output = -1, .monitor = -1, .swap_interval = -1};
+    *options = (struct options){.lens = -1,
+                                .flip = -1,
+                                .view_format = -1,
+                                .show_output = -1,
+                                .monitor = -1,
+                                .swap_interval = -1};
     opterr = 0;
     while ((code = getopt_long(argc, argv, ":h", option_list, &index)) != -1) {
         if (code == 'h') {

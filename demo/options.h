@@ -69,6 +69,9 @@ struct options {
 
     struct cupola_plan_params plan;
     enum cupola_table table;
+    int view_format; /* -1: not given; else of enum cupola_format */
+    int samples;     /* per texel of a view; 0: not given */
+    bool reversed_depth;
     enum show_mode mode;
     int show_output; /* index; -1: not given */
 

@@ -13,6 +13,7 @@ struct scene_camera {
     const float *projection; /* clip = projection view host x */
     const float *view;       /* of one of Cupola's views: rotation and the eye's displacement */
     const float *host;       /* world to the host's camera frame */
+    bool reversed_depth;     /* what is nearer has the greater depth */
 };
 
 struct scene;

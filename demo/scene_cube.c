@@ -39,7 +39,7 @@ static void cube_draw(struct scene *scene, const struct scene_camera *camera)
     scene_to_float(clip, 16, matrix);
 
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
+    glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);

@@ -74,7 +74,7 @@ static void model_scene_draw(struct scene *base, const struct scene_camera *came
     if (scene->backdrop)
         draw_backdrop(scene, float_basis, float_eye);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
+    glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);
     glUseProgram(scene->program);
     glUniformMatrix4fv(glGetUniformLocation(scene->program, "clip_from_world"), 1, GL_FALSE,

@@ -10,6 +10,7 @@
 
 #include "grid.h"
 #include "target.h"
+#include "view_wishes.h"
 
 struct show {
     struct show_setup setup;
@@ -39,15 +40,6 @@ static bool setup_has_no_views(const struct show_setup *setup)
     return setup->source != CUPOLA_SOURCE_VIEWS;
 }
 
-static struct cupola_gl_params gl_params(const struct show_setup *setup)
-{
-    return (struct cupola_gl_params){
-        .format = setup->floats ? CUPOLA_FORMAT_RGBA32F : CUPOLA_FORMAT_RGBA8,
-        .table = setup->table,
-        .sources = 1u << (unsigned int)setup->source,
-    };
-}
-
 static bool create_theatre(struct show *show, char *message)
 {
     struct cupola_error error = {0};
@@ -68,7 +60,7 @@ static bool create_theatre(struct show *show, char *message)
 static bool create_views(struct show *show, char *message)
 {
     struct cupola_error error = {0};
-    struct cupola_gl_params params = gl_params(&show->setup);
+    struct cupola_gl_params params = view_wishes_params(&show->setup);
     GLint largest = 0;
 
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
@@ -162,7 +154,7 @@ const struct cupola_plan_report *show_report(const struct show *show)
 
 double show_time_tables_ms(const struct show *show)
 {
-    struct cupola_gl_params params = gl_params(&show->setup);
+    struct cupola_gl_params params = view_wishes_params(&show->setup);
     cupola_gl *gl = NULL;
     double start_ms, time_ms;
     int status;
@@ -195,24 +187,24 @@ static void eye_places(const struct show *show, const struct host_camera *camera
 static bool draw_views(struct show *show, const struct show_frame *frame, const float host[16],
                        double near_distance, double far_distance, struct cupola_error *error)
 {
-    struct cupola_frame begin = {
-        .depth = {.near_distance = near_distance, .far_distance = far_distance}};
+    struct cupola_frame begin =
+        view_wishes_frame(&show->setup, frame->scene, near_distance, far_distance);
     struct cupola_gl_view view;
     int views;
 
-    for (int i = 0; i < 4; i++)
-        begin.clear_color[i] = frame->scene->clear_color[i];
     views = cupola_gl_frame_begin(show->gl, &begin, error);
     for (int i = 0; i < views; i++) {
         if (cupola_gl_view_begin(show->gl, i, &view, error) < 0)
             return false;
         frame->scene->draw(frame->scene,
-                           &(struct scene_camera){view.camera.projection, view.camera.view, host});
+                           &(struct scene_camera){view.camera.projection, view.camera.view, host,
+                                                  show->setup.reversed_depth});
         if (frame->grid)
             grid_draw(frame->grid, show->dome, cupola_plan_view(show->plan, i));
         if (cupola_gl_view_end(show->gl, error) < 0)
             return false;
     }
+    view_wishes_done(&show->setup);
     return views >= 0;
 }
 
@@ -246,7 +238,7 @@ static void draw_perspective(struct show *show, const struct show_frame *frame,
     glClearColor(frame->scene->clear_color[0], frame->scene->clear_color[1],
                  frame->scene->clear_color[2], frame->scene->clear_color[3]);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    frame->scene->draw(frame->scene, &(struct scene_camera){projection, view, host});
+    frame->scene->draw(frame->scene, &(struct scene_camera){projection, view, host, false});
 }
 
 void show_draw_atlas(const struct show *show, unsigned int framebuffer,

@@ -16,6 +16,9 @@ struct show_setup {
     struct cupola_rig rig; /* complete */
     struct cupola_plan_params plan;
     enum cupola_table table;
+    int view_format; /* of enum cupola_format; -1: by `floats` */
+    int samples;     /* per texel of a view; 0: one */
+    bool reversed_depth;
     enum show_mode mode;
     enum cupola_source_kind source; /* what is shown: the views of a scene, or a picture */
     int output;                     /* index of the output that is shown where only one is */
