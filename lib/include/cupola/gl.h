@@ -177,7 +177,7 @@ struct cupola_gl_view {
 };
 
 /*
- * Begins one view: clears its colour and depth (the host must not clear it), binds its framebuffer
+ * Begins one view: clears its colour, depth and stencil (the host must not clear it), binds its framebuffer
  * and sets viewport and scissor rectangle to it. view_end puts back what the host had.
  *
  * index    0 to the number of views - 1, in any order, each as often as wished
@@ -194,8 +194,8 @@ CUPOLA_API int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_v
                                     struct cupola_error *error);
 
 /*
- * Ends the view that is open: framebuffers, viewport and scissor are again what they were when it
- * began.
+ * Ends the view that is open: several samples are resolved, and framebuffers, viewport and scissor
+ * are again what they were when it began.
  *
  * error    may be NULL
  * returns  CUPOLA_OK
