@@ -62,6 +62,18 @@ void eye_ray(const cupola_dome *dome, const double eye_m[3], const struct varyin
     transform3(dome->tilt, point->dy, ray->dy);
 }
 
+void eye_point(const cupola_dome *dome, const double eye_m[3], const double direction[3],
+               double point_m[3])
+{
+    double u[3], radius = dome->rig.screen.radius_m;
+    transform3_back(dome->tilt, direction, u);
+    scale3(u, 1 / length3(u));
+    double along = dot3(eye_m, u);
+    double t = sqrt(along * along - dot3(eye_m, eye_m) + radius * radius) - along;
+    for (int i = 0; i < 3; i++)
+        point_m[i] = eye_m[i] + t * u[i];
+}
+
 /* The eye to use, or NULL if the question makes no sense. */
 static const double *check_question(const cupola_dome *dome, int output, const double *eye_m)
 {
@@ -123,14 +135,9 @@ int cupola_dome_pixel(const cupola_dome *dome, int output, const double eye_m[3]
         return CUPOLA_ERROR_ARGUMENT;
 
     const struct projector *projector = &dome->projectors[output];
-    double u[3], at_lens[3], found[2];
+    double point[3], at_lens[3], found[2], radius = dome->rig.screen.radius_m;
     double scaled[3] = {direction[0] / largest, direction[1] / largest, direction[2] / largest};
-    transform3_back(dome->tilt, scaled, u);
-    scale3(u, 1 / length3(u));
-    double radius = dome->rig.screen.radius_m;
-    double along = dot3(eye, u);
-    double t = sqrt(along * along - dot3(eye, eye) + radius * radius) - along;
-    double point[3] = {eye[0] + t * u[0], eye[1] + t * u[1], eye[2] + t * u[2]};
+    eye_point(dome, eye, scaled, point);
     for (int i = 0; i < 3; i++)
         at_lens[i] = point[i] - projector->position_m[i];
     const double slack = 1e-9;

@@ -15,4 +15,8 @@ struct cupola_dome {
 void eye_ray(const cupola_dome *dome, const double eye_m[3], const struct varying *point,
              struct varying *ray);
 
+/* The way back: where a direction from the eye (host's camera frame) meets the screen. */
+void eye_point(const cupola_dome *dome, const double eye_m[3], const double direction[3],
+               double point_m[3]);
+
 #endif

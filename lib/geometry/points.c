@@ -156,18 +156,21 @@ double pixel_coverage(const struct projector *projector, double x_px, double y_p
     return framed * fmin(rim, edge_coverage(distance, gradient[0], gradient[1]));
 }
 
-bool lens_pixel(const struct projector *projector, const double direction[3], double pixel_px[2])
+double lens_place(const struct projector *projector, const double direction[3], double pixel_px[2])
 {
     double v[3];
     transform3_back(projector->aim, direction, v);
     double across = hypot(v[0], v[1]);
     double angle = atan2(across, -v[2]);
-    const double slack = 1e-9; /* a pixel's own ray comes back, also on the rim */
-    if (!(angle <= projector->lens.half_fov + slack))
-        return false;
     double r = lens_radius(&projector->lens, fmin(angle, projector->lens.half_fov));
     double factor = across > 0 ? r * projector->radius_px / across : 0;
     for (int i = 0; i < 2; i++)
         pixel_px[i] = projector->center_px[i] + projector->sign[i] * factor * v[i];
-    return true;
+    return angle - projector->lens.half_fov;
+}
+
+bool lens_pixel(const struct projector *projector, const double direction[3], double pixel_px[2])
+{
+    const double slack = 1e-9; /* a pixel's own ray comes back, also on the rim */
+    return lens_place(projector, direction, pixel_px) <= slack;
 }

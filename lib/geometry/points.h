@@ -65,9 +65,13 @@ double pixel_coverage(const struct projector *projector, double x_px, double y_p
                       const struct varying *point);
 
 /*
- * The way back: from a direction at the lens (dome frame, any length) to image coordinates. False
- * if the lens does not reach it.
+ * The way back: from a direction at the lens (dome frame, any length) to image coordinates; what
+ * the lens does not reach comes out on the rim. Returns the angle beyond the rim, rad: above 0
+ * outside of the lens.
  */
+double lens_place(const struct projector *projector, const double direction[3], double pixel_px[2]);
+
+/* The same; false if the lens does not reach it. */
 bool lens_pixel(const struct projector *projector, const double direction[3], double pixel_px[2]);
 
 #endif

@@ -47,10 +47,16 @@ static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_erro
     status = warp_programs_create(gl, output, true, made, error);
     if (status != CUPOLA_OK)
         return status;
+    status = overlay_program_create(gl, output, true, &pass->overlays[true], error);
+    if (status != CUPOLA_OK) {
+        warp_programs_destroy(made);
+        return status;
+    }
     if (!gl->gain_sampler) { /* texels are fetched one by one, from formats without a filter, too */
         gl->gain_sampler = sampler_create(&gl->guest, "gain", error);
         if (!gl->gain_sampler) {
             warp_programs_destroy(made);
+            overlay_program_destroy(&pass->overlays[true]);
             return error->status;
         }
         glSamplerParameteri(gl->gain_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

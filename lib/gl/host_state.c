@@ -211,6 +211,16 @@ void host_set_adding(const struct host_features *features)
     set_blend(features, GL_TRUE);
 }
 
+void host_set_over(const struct host_features *features, bool linear)
+{
+    const GLint equation[2] = {GL_FUNC_ADD, GL_FUNC_ADD};
+    const GLint factors[4] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA};
+    set_blending(features, equation, factors);
+    set_blend(features, GL_TRUE);
+    if (linear && !features->srgb_always)
+        glEnable(GL_FRAMEBUFFER_SRGB);
+}
+
 /* Questions about the host's state, where it is kept. */
 static void ask(const struct host_state *state, GLenum name, GLint *values)
 {

@@ -115,6 +115,12 @@ void host_state_set(struct host_state *state, const struct host_features *featur
 /* Between saving and restoring: adds what is drawn to what is there; alpha stays. */
 void host_set_adding(const struct host_features *features);
 
+/*
+ * Between saving and restoring: lays what is drawn, premultiplied, over what is there; alpha
+ * likewise. `linear`: in linear light, if the target has an sRGB format.
+ */
+void host_set_over(const struct host_features *features, bool linear);
+
 /* Sets viewport and scissor rectangle 0 and no other of the context. */
 void host_set_area(const struct host_features *features, GLint x, GLint y, GLsizei width,
                    GLsizei height);

@@ -181,7 +181,7 @@ static int create_vertex_array(cupola_gl *gl, struct cupola_error *error)
 
 static int create_sampler(cupola_gl *gl, struct cupola_error *error)
 {
-    if (!(gl->params.sources >> CUPOLA_SOURCE_DOMEMASTER))
+    if (!(gl->params.sources >> CUPOLA_SOURCE_DOMEMASTER) && !gl->params.overlays)
         return CUPOLA_OK;
     gl->sampler = sampler_create(&gl->guest, "pictures", error);
     return gl->sampler ? CUPOLA_OK : (int)error->status;

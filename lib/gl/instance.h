@@ -24,6 +24,12 @@ struct warp_program {
     GLint image_rect, image_layer;             /* of views that are the host's textures */
 };
 
+/* What shows overlays on one output. */
+struct overlay_program {
+    GLuint program;                                        /* 0 where they were not asked for */
+    GLint target_corner, encoded, kind, axes, half, color; /* locations of uniforms */
+};
+
 /* Tables and programs of one output. */
 struct warp_pass {
     GLuint table;  /* 0 for the stage none */
@@ -32,6 +38,7 @@ struct warp_pass {
     bool gained;   /* there are programs with gain */
     /* Without gain, and with it: those are made when a gain is set for the first time. */
     struct warp_program programs[2][SOURCE_KINDS];
+    struct overlay_program overlays[2];
 };
 
 /* Where views are that the host brings: as cupola_gl_views_import was told. */
@@ -101,8 +108,17 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
     return gl->params.sources >> (unsigned int)kind & 1u;
 }
 
-/* Lines that images.glsl and light.glsl rely on. */
+/*
+ * Lines that images.glsl and light.glsl rely on. `asked`: whether encoding is done is a uniform in
+ * any case.
+ */
 enum { WARP_LINES_MAX = 320 };
+void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX]);
+
+/* That of one output, with gain or without; nothing where gl was made without overlays. */
+int overlay_program_create(const cupola_gl *gl, int output, bool gained,
+                           struct overlay_program *made, struct cupola_error *error);
+void overlay_program_destroy(struct overlay_program *program);
 
 /*
  * Compiles what shows pictures of a kind, with `lines` before its files, and sets all but what
@@ -181,6 +197,9 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
  * which only OpenGL ES does without being asked.
  */
 bool target_encodes(const struct host_features *features);
+
+/* Whether draw buffer 0 of the framebuffer that is bound has an sRGB format. */
+bool target_is_srgb(const struct host_features *features);
 
 /* Whether draw buffer 0 of the framebuffer that is bound has channels of 32 bit floats. */
 bool target_is_float32(void);

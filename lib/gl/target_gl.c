@@ -23,6 +23,22 @@ static GLint first_attachment_value(GLenum name)
     return value;
 }
 
+bool target_is_srgb(const struct host_features *features)
+{
+    GLenum buffer = first_attachment();
+    GLint type = GL_NONE, encoding = GL_LINEAR;
+    if (buffer == GL_BACK && !features->es)
+        buffer = GL_BACK_LEFT; /* desktop OpenGL before 4.5 knows it by this name only */
+    if (buffer == GL_NONE)
+        return false;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type != GL_NONE)
+        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer,
+                                              GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
+    return encoding == GL_SRGB;
+}
+
 bool target_encodes(const struct host_features *features)
 {
     return features->srgb_always &&

@@ -89,12 +89,11 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
     return program;
 }
 
-/* What light.glsl and images.glsl rely on. */
-static void warp_lines(const cupola_gl *gl, bool gained, char lines[WARP_LINES_MAX])
+void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX])
 {
     enum { LINEAR, SRGB, ASKED };
     int encoding = gl->params.encoding == CUPOLA_ENCODING_LINEAR ? LINEAR
-                   : gl->features.srgb_always                    ? ASKED
+                   : gl->features.srgb_always || asked           ? ASKED
                                                                  : SRGB;
     snprintf(lines, WARP_LINES_MAX,
              "#define STORAGE_ATLAS %d\n#define STORAGE_TEXTURES %d\n#define STORAGE_LAYERS %d\n"
@@ -108,7 +107,7 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
                                struct warp_program *made, struct cupola_error *error)
 {
     char lines[WARP_LINES_MAX];
-    warp_lines(gl, gained, lines);
+    warp_lines(gl, gained, false, lines);
     GLuint program = kind == CUPOLA_SOURCE_VIEWS
                          ? views_program_create(gl, output, lines, error)
                          : source_program_create(gl, output, kind, lines, error);
@@ -165,13 +164,18 @@ int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
         if (gl->params.table == CUPOLA_TABLE_POINTS)
             pass->points = pass->table;
     }
-    return warp_programs_create(gl, output, false, pass->programs[false], error);
+    int status = warp_programs_create(gl, output, false, pass->programs[false], error);
+    if (status == CUPOLA_OK)
+        status = overlay_program_create(gl, output, false, &pass->overlays[false], error);
+    return status;
 }
 
 void warp_pass_destroy(struct warp_pass *pass)
 {
-    for (int gained = 0; gained < 2; gained++)
+    for (int gained = 0; gained < 2; gained++) {
         warp_programs_destroy(pass->programs[gained]);
+        overlay_program_destroy(&pass->overlays[gained]);
+    }
     glDeleteTextures(1, &pass->table);
     if (pass->points != pass->table)
         glDeleteTextures(1, &pass->points);

@@ -10,8 +10,7 @@
 
 #include "check.h"
 #include "cupola/rig.h"
-
-static const double pi = 3.14159265358979323846;
+#include "geometry/angle.h"
 
 static inline double radians(double degrees)
 {

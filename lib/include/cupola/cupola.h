@@ -1,6 +1,6 @@
 /*
  * All of Cupola's core in one line: geometry, plan, GL and the simulated theatre. The file formats
- * (rig_file.h, image_file.h) are a build option and are included by name.
+ * (rig_file.h, image_file.h, text.h) are a build option and are included by name.
  */
 #ifndef CUPOLA_CUPOLA_H
 #define CUPOLA_CUPOLA_H
@@ -10,6 +10,7 @@
 #include "gl.h"
 #include "lens.h"
 #include "log.h"
+#include "overlay.h"
 #include "plan.h"
 #include "reference.h"
 #include "rig.h"

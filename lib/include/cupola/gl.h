@@ -108,6 +108,7 @@ struct cupola_gl_params {
      * that its program is ready before the first frame. Without the views nothing is made for them:
      * no atlas, no tables. 0: the views alone. */
     unsigned int sources;
+    bool overlays; /* cupola_gl_overlay will be called (overlay.h): its program is made, too */
     /* For hosts that set all of their state before they draw again: frames neither ask for the GL's
      * state nor put it back, which is then what the call needed. docs/host-contract.md has both
      * lists. */

@@ -26,27 +26,26 @@ enum cupola_overlay_kind {
 
 /*
  * One overlay: a flat rectangle that faces the eye, its middle in `direction`, so that it looks
- * there as it does on a sheet of paper. All zero is a disc of no size: direction and width are
- * needed.
+ * there as it does on a sheet of paper. Direction and width are needed.
  */
 struct cupola_overlay {
     enum cupola_overlay_kind kind; /* 0: a picture */
-    double direction[3];           /* of its middle, host's camera frame, from the eye, any length
-                                    * above 0 */
-    double
-        width_rad; /* angle between left and right edge at mid-height, above 0 and up to 5/6 pi */
-    double
-        height_rad; /* the same, from lower to upper edge; 0: square texels for a picture, as wide
-                        * as high for the others */
-    /* Counter-clockwise as the viewer sees it. At 0 its upper edge is up: towards +Y of the host's
-     * camera frame, or towards -Z where the direction is straight up and +Z straight down. */
+    double direction[3]; /* of its middle, host's camera frame, from the eye, any length above 0 */
+    double width_rad;    /* angle between the middles of its left and right edge, above 0 and up to
+                       * 5/6 pi */
+    double height_rad; /* the same, of lower and upper edge; 0: square texels for a picture, as high
+                        * as wide for the others */
+    /* Counter-clockwise as the viewer sees it, -2 pi to 2 pi. At 0 its lower edge is level: up is
+     * towards +Y of the host's camera frame, and where the direction is straight up or down, as if
+     * the viewer had raised or lowered the head from straight ahead. */
     double roll_rad;
     /* A GL_TEXTURE_2D, its first row the lower edge, colour times alpha (premultiplied), filtered by
      * a sampler object of Cupola's. Not asked of the other kinds. */
     unsigned int texture;
-    bool mipmaps;   /* the texture has all its levels */
-    float color[4]; /* RGBA in linear light, not premultiplied; a picture is multiplied by it. All
-                     * zero: opaque white */
+    bool mipmaps; /* the texture has all its levels */
+    float
+        color[4]; /* RGBA in linear light, 0 or more, alpha up to 1, not premultiplied; a picture is
+                     * multiplied by it. All zero: opaque white */
 };
 
 /*
@@ -60,9 +59,9 @@ struct cupola_overlay {
  *           colours are mixed in linear light; into other formats encoded numbers are mixed
  * error     may be NULL
  * returns   CUPOLA_OK
- *           CUPOLA_ERROR_ARGUMENT if gl, or overlays with a count above 0, is NULL, there is no such
- *           output, a field is outside of its range, or a texture is no GL_TEXTURE_2D or a colour of
- *           the target
+ *           CUPOLA_ERROR_ARGUMENT if gl, or overlays with a count above 0, is NULL, gl was made
+ *           without overlays, there is no such output, a field is outside of its range, or a texture
+ *           is no GL_TEXTURE_2D or a colour of the target
  *           CUPOLA_ERROR_ORDER inside a view
  *           CUPOLA_ERROR_CONTEXT, CUPOLA_ERROR_LOST
  *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete

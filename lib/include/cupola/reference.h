@@ -5,6 +5,7 @@
 #ifndef CUPOLA_REFERENCE_H
 #define CUPOLA_REFERENCE_H
 
+#include "overlay.h"
 #include "plan.h"
 #include "source.h"
 
@@ -61,6 +62,24 @@ CUPOLA_API int cupola_reference_views(const cupola_plan *plan,
 CUPOLA_API int cupola_reference_source(const cupola_dome *dome, int output,
                                        const struct cupola_source *source, const float *picture,
                                        int width, int height, const float border[4], float *image);
+
+/*
+ * Draws an overlay over an output's image, as cupola_gl_overlay does without mipmaps and in linear
+ * light.
+ *
+ * output   index
+ * overlay  its texture is not asked for
+ * picture  of a picture: RGBA floats, premultiplied, rows from the bottom up; else not asked for
+ * width    of the picture, px, 1 to 32768
+ * height   likewise
+ * image    RGBA floats, rows from the bottom up, of the output's size; changed
+ * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API int cupola_reference_overlay(const cupola_dome *dome, int output,
+                                        const struct cupola_overlay *overlay, const float *picture,
+                                        int width, int height, float *image);
 
 #ifdef __cplusplus
 }

@@ -1,0 +1,137 @@
+/* Text as a picture, by stb_easy_font: every letter is a handful of rectangles. */
+#include "cupola/text.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+#include "error.h"
+
+#pragma GCC diagnostic ignored "-Wunused-function" /* until the end: static and not all used */
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
+#pragma GCC diagnostic ignored "-Wmissing-braces"
+#include <stb_easy_font.h>
+#pragma GCC diagnostic pop
+
+enum {
+    LINE_HEIGHT = 12,
+    SCALE_MAX = 64,
+    SIDE_MAX = 16384,
+    QUADS_MAX = 64, /* of a letter; most have fewer than 20 */
+};
+
+/* A corner of a rectangle, as stb_easy_font writes it. */
+struct corner {
+    float x, y, z;
+    unsigned char color[4];
+};
+
+_Static_assert(sizeof(struct corner) == 16, "as stb_easy_font writes it");
+
+/* What a character is drawn as. */
+static char letter_of(char c)
+{
+    return c >= ' ' && c <= '~' ? c : '?';
+}
+
+static int advance_of(char c)
+{
+    return stb_easy_font_charinfo[letter_of(c) - ' '].advance & 15;
+}
+
+/* Units; false as soon as one of them is more than `most`. A last '\n' begins no further line. */
+static bool measure(const char *text, int most, int *width, int *height)
+{
+    int across = 0;
+    *width = 1;
+    *height = LINE_HEIGHT;
+    for (; *text; text++) {
+        if (*text != '\n') {
+            across += advance_of(*text);
+        } else if (text[1]) {
+            across = 0;
+            *height += LINE_HEIGHT;
+        }
+        if (across > *width)
+            *width = across;
+        if (*width > most || *height > most)
+            return false;
+    }
+    return true;
+}
+
+int cupola_text_size(const char *text, int scale, int *width, int *height,
+                     struct cupola_error *error)
+{
+    int units[2];
+    if (!text || !width || !height)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL",
+                         !text ? "text" : (!width ? "width" : "height"));
+    if (!*text)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "text is empty; allowed: 1 character or "
+                         "more");
+    if (scale < 1 || scale > SCALE_MAX)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "scale of text is %d; allowed: 1 to %d",
+                         scale, (int)SCALE_MAX);
+    if (!measure(text, SIDE_MAX / scale, &units[0], &units[1]))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "text of %zu characters is too large for a picture at scale %d; allowed: "
+                         "up to %d texels each way",
+                         strlen(text), scale, (int)SIDE_MAX);
+    *width = units[0] * scale;
+    *height = units[1] * scale;
+    return CUPOLA_OK;
+}
+
+/* From `x` and `y` to `right` and `bottom`, texels from the upper left corner. */
+static void fill(unsigned char *rgba, int width, int height, int x, int y, int right, int bottom)
+{
+    x = x < 0 ? 0 : x;
+    right = right > width ? width : right;
+    for (int row = y < 0 ? 0 : y; row < bottom && row < height; row++)
+        if (right > x)
+            memset(rgba + 4 * ((size_t)(height - 1 - row) * (size_t)width + (size_t)x), 255,
+                   4 * (size_t)(right - x));
+}
+
+/* `x` and `y` in units, of the letter's upper left corner. */
+static void draw_letter(char letter, int x, int y, int scale, unsigned char *rgba, int width,
+                        int height)
+{
+    struct corner corners[4 * QUADS_MAX];
+    char text[2] = {letter, 0};
+    int quads = stb_easy_font_print(0, 0, text, NULL, corners, sizeof corners);
+    for (int i = 0; i < quads; i++) {
+        const struct corner *first = &corners[4 * i], *opposite = first + 2;
+        fill(rgba, width, height, (x + (int)first->x) * scale, (y + (int)first->y) * scale,
+             (x + (int)opposite->x) * scale, (y + (int)opposite->y) * scale);
+    }
+}
+
+int cupola_text_draw(const char *text, int scale, unsigned char *rgba, int width, int height,
+                     struct cupola_error *error)
+{
+    int size[2], x = 0, y = 0;
+    int status = cupola_text_size(text, scale, &size[0], &size[1], error);
+    if (status != CUPOLA_OK)
+        return status;
+    if (!rgba)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "rgba is NULL");
+    if (width != size[0] || height != size[1])
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "picture of the text is %d x %d texels; allowed: %d x %d, as "
+                         "cupola_text_size says",
+                         width, height, size[0], size[1]);
+    memset(rgba, 0, 4 * (size_t)width * (size_t)height);
+    for (; *text; text++) {
+        if (*text == '\n') {
+            x = 0;
+            y += LINE_HEIGHT;
+            continue;
+        }
+        draw_letter(letter_of(*text), x, y, scale, rgba, width, height);
+        x += advance_of(*text);
+    }
+    return CUPOLA_OK;
+}

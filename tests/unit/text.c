@@ -1,0 +1,194 @@
+/* Text as a picture: known letters, sizes, and every byte that there is. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "cupola/text.h"
+#include "message.h"
+
+static unsigned char *drawn(const char *text, int scale, int *width, int *height)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    if (cupola_text_size(text, scale, width, height, &error) < 0)
+        fail_msg("%s", error.message);
+    unsigned char *rgba = malloc(4 * (size_t)*width * (size_t)*height);
+    assert_non_null(rgba);
+    if (cupola_text_draw(text, scale, rgba, *width, *height, &error) < 0)
+        fail_msg("%s", error.message);
+    return rgba;
+}
+
+/* As many rows as wished from the top, a character for each texel. */
+static void check_rows(const char *text, const char *const *rows, int count)
+{
+    int width, height;
+    unsigned char *rgba = drawn(text, 1, &width, &height);
+    for (int row = 0; row < count; row++) {
+        char shown[64] = "";
+        for (int i = 0; i < width && i < 63; i++)
+            shown[i] = rgba[4 * ((height - 1 - row) * width + i)] ? '#' : '.';
+        if (strcmp(shown, rows[row]) != 0)
+            fail_msg("row %d of '%s' is '%s', not '%s'", row, text, shown, rows[row]);
+    }
+    free(rgba);
+}
+
+static void letters_are_upright_and_not_mirrored(void **state)
+{
+    (void)state;
+    static const char *const rows[] = {
+        "####..#.....", "#.....#.....", "#.....#.....", "###...#.....",
+        "#.....#.....", "#.....#.....", "#.....####..",
+    };
+    check_rows("FL", rows, 7);
+}
+
+static void texels_are_white_or_clear(void **state)
+{
+    (void)state;
+    int width, height, lit = 0;
+    unsigned char *rgba = drawn("North\nEast", 3, &width, &height);
+    assert_int_equal(height, 2 * 12 * 3);
+    for (int i = 0; i < width * height; i++) {
+        for (int c = 1; c < 4; c++)
+            assert_int_equal(rgba[4 * i + c], rgba[4 * i]);
+        assert_true(rgba[4 * i] == 0 || rgba[4 * i] == 255);
+        lit += rgba[4 * i] == 255;
+    }
+    check_at_least(lit, 200);
+    free(rgba);
+}
+
+static void every_scale_is_the_same_picture(void **state)
+{
+    (void)state;
+    static const char text[] = "The quick\nbrown fox 0123!";
+    int width, height, large_width, large_height;
+    unsigned char *small = drawn(text, 1, &width, &height);
+    for (int scale = 2; scale <= 64; scale *= 2) {
+        unsigned char *large = drawn(text, scale, &large_width, &large_height);
+        assert_int_equal(large_width, scale * width);
+        assert_int_equal(large_height, scale * height);
+        for (int j = 0; j < large_height; j++)
+            for (int i = 0; i < large_width; i++)
+                assert_int_equal(large[4 * (j * large_width + i)],
+                                 small[4 * (j / scale * width + i / scale)]);
+        free(large);
+    }
+    free(small);
+}
+
+static void lines_are_ended_and_not_begun(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int lines;
+    } cases[] = {{"A", 1}, {"A\n", 1}, {"A\nB", 2}, {"A\n\nB", 3}, {"\n", 1}, {"\n\n", 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        int width, height;
+        free(drawn(cases[i].text, 1, &width, &height));
+        assert_int_equal(height, 12 * cases[i].lines);
+        check_at_least(width, 1);
+    }
+}
+
+/* What is no printable ASCII is drawn as a question mark; nothing is written beside the picture. */
+static void every_byte_is_drawn(void **state)
+{
+    (void)state;
+    int wish_width, wish_height, width, height;
+    unsigned char *wish = drawn("?", 2, &wish_width, &wish_height);
+    for (int byte = 1; byte < 256; byte++) {
+        char text[2] = {(char)byte, 0};
+        unsigned char *rgba = drawn(text, 2, &width, &height);
+        int blank = 1;
+        for (int i = 0; i < 4 * width * height; i++)
+            blank &= rgba[i] == 0;
+        assert_int_equal(blank, byte == ' ' || byte == '\n');
+        if (byte != '\n' && (byte < 32 || byte > 126)) {
+            assert_int_equal(width, wish_width);
+            assert_memory_equal(rgba, wish, 4 * (size_t)width * (size_t)height);
+        }
+        free(rgba);
+    }
+    free(wish);
+}
+
+static void random_bytes_stay_in_their_picture(void **state)
+{
+    (void)state;
+    enum { TEXTS = 300, LENGTH_MAX = 90, GUARD = 64 };
+    uint64_t seed = 8301;
+    for (int n = 0; n < TEXTS; n++) {
+        char text[LENGTH_MAX + 1];
+        int width, height, length = (int)random_between(&seed, 1, LENGTH_MAX);
+        int scale = (int)random_between(&seed, 1, 5);
+        for (int i = 0; i < length; i++)
+            text[i] = (char)random_between(&seed, 1, 256);
+        text[length] = 0;
+        assert_int_equal(cupola_text_size(text, scale, &width, &height, NULL), CUPOLA_OK);
+        size_t size = 4 * (size_t)width * (size_t)height;
+        unsigned char *rgba = malloc(size + GUARD);
+        assert_non_null(rgba);
+        memset(rgba, 0x5a, size + GUARD);
+        assert_int_equal(cupola_text_draw(text, scale, rgba, width, height, NULL), CUPOLA_OK);
+        for (size_t i = 0; i < size + GUARD; i++)
+            assert_true(i < size ? rgba[i] == 0 || rgba[i] == 255 : rgba[i] == 0x5a);
+        free(rgba);
+    }
+}
+
+static void check_refused(const char *text, int scale, const char *word)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    int width = -7, height = -8;
+    assert_int_equal(cupola_text_size(text, scale, &width, &height, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(width, -7);
+    assert_int_equal(height, -8);
+    if (!strstr(error.message, word))
+        fail_msg("'%s' does not say '%s'", error.message, word);
+}
+
+static void what_cannot_be_drawn_is_refused(void **state)
+{
+    (void)state;
+    struct cupola_error error = {CUPOLA_OK, ""};
+    unsigned char rgba[4] = {9, 9, 9, 9};
+    int side;
+    char *longest = calloc(1, 100000);
+    assert_non_null(longest);
+    memset(longest, 'x', 99999);
+    check_refused(NULL, 1, "text is NULL");
+    check_refused("", 1, "text is empty");
+    check_refused("a", 0, "is 0; allowed: 1 to 64");
+    check_refused("a", 65, "is 65; allowed: 1 to 64");
+    check_refused(longest, 1, "99999 characters");
+    longest[300] = 0;
+    check_refused(longest, 64, "300 characters");
+    memset(longest, '\n', 2000);
+    check_refused(longest, 1, "too large");
+    free(longest);
+    assert_int_equal(cupola_text_size("a", 1, NULL, &side, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_text_size("a", 1, &side, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_text_draw("a", 1, NULL, 6, 12, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_non_null(strstr(error.message, "rgba is NULL"));
+    assert_int_equal(cupola_text_draw("a", 1, rgba, 1, 1, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_non_null(strstr(error.message, "1 x 1 texels; allowed: 6 x 12"));
+    assert_int_equal(rgba[0], 9);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(letters_are_upright_and_not_mirrored),
+        cmocka_unit_test(texels_are_white_or_clear),
+        cmocka_unit_test(every_scale_is_the_same_picture),
+        cmocka_unit_test(lines_are_ended_and_not_begun),
+        cmocka_unit_test(every_byte_is_drawn),
+        cmocka_unit_test(random_bytes_stay_in_their_picture),
+        cmocka_unit_test(what_cannot_be_drawn_is_refused),
+    };
+    return cmocka_run_group_tests_name("text", tests, NULL, NULL);
+}
