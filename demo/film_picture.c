@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include <stb/stb_image.h>
 
@@ -33,15 +34,30 @@ static void reverse(void *items, size_t count, size_t size)
         swap_bytes(bytes + i * size, bytes + (count - 1 - i) * size, size);
 }
 
-static bool read_bytes(const char *path, struct film_picture *picture, char *message)
+/* NULL with one line in `message`. */
+static FILE *open_picture(const char *path, char *message)
 {
     FILE *file = fopen(path, "rb");
+    struct stat status;
+    int problem = errno;
 
-    if (!file) {
-        snprintf(message, MESSAGE_SIZE, "--show: %s cannot be opened: %s", short_path(path).text,
-                 strerror(errno));
-        return false;
+    if (file && fstat(fileno(file), &status) == 0 && S_ISDIR(status.st_mode)) {
+        fclose(file); /* Linux opens directories for reading */
+        file = NULL;
+        problem = EISDIR;
     }
+    if (!file)
+        snprintf(message, MESSAGE_SIZE, "--show: %s cannot be opened: %s", short_path(path).text,
+                 strerror(problem));
+    return file;
+}
+
+static bool read_bytes(const char *path, struct film_picture *picture, char *message)
+{
+    FILE *file = open_picture(path, message);
+
+    if (!file)
+        return false;
     if (stbi_info_from_file(file, &picture->width, &picture->height, NULL) &&
         (picture->width > SIDE_MAX || picture->height > SIDE_MAX)) {
         snprintf(message, MESSAGE_SIZE, "--show: %s is %d x %d px; allowed: up to %d each way",

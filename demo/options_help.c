@@ -28,7 +28,7 @@ static const char picture_text[] =
     "  --show IMAGE           PNG, JPEG or PFM (what else stb_image reads, too); a name with %04d\n"
     "                         or the like is a sequence from 0 or 1; a cube needs %s in the name,\n"
     "                         for posx (right), negx, posy (up), negy, posz (ahead) and negz\n"
-    "  --as KIND              domemaster | equirectangular | cube\n"
+    "  --as KIND              domemaster | equirectangular (twice as wide as high) | cube\n"
     "  --frame-rate N         of a sequence in a window, pictures a second, default 30; without a\n"
     "                         window each frame is the next picture: see --output\n"
     "  --picture-fov DEG      full opening of a domemaster, default 180\n"

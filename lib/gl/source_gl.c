@@ -82,9 +82,10 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
 }
 
 /*
- * The picture's filter: not the one that its texture happens to have. Not anisotropic: a pixel's
- * footprint is long only near the rims of some lenses, and llvmpipe was seen to fetch places half a
- * picture away where footprints lie askew.
+ * The picture's filter: not the one that its texture happens to have. Not anisotropic: with that,
+ * llvmpipe (Mesa 22.3) passes over the gradients of textureGrad and takes differences of places
+ * between neighbouring pixels instead, which jump behind the viewer and come to nothing beyond the
+ * rim; there it was seen to fetch places half a picture away. docs/geometry.md says what is lost.
  */
 static void set_sampler(GLuint sampler, const struct cupola_source *source)
 {

@@ -240,6 +240,7 @@ static void wrong_pictures_are_one_line(void **state)
         {"--show wide.pfm --as domemaster --output wide.pfm", USAGE, "--show", "of their own"},
         {"--show gone.png --as domemaster", FAILED, "gone.png", "No such file"},
         {"--show gone.pfm --as domemaster", FAILED, "gone.pfm", "No such file"},
+        {"--show . --as domemaster", FAILED, "--show: .", "Is a directory"},
         {"--show text.png --as domemaster", FAILED, "text.png", "PNG, JPEG, PFM"},
         {"--show wide.pfm --as domemaster", FAILED, "8 x 4", "as wide as high"},
         {"--show square.pfm --as equirectangular", FAILED, "4 x 4", "twice as wide"},
