@@ -43,7 +43,8 @@ static void clear_view(const cupola_gl *gl)
     const GLfloat farthest = frame->depth.reversed ? 0 : 1;
     bool stencil = views_have_stencil(gl), kept = !gl->guest.leaves_state;
     GLuint stencil_mask = stencil ? host_stencil_unmask(kept) : 0;
-    host_encoding_set(&gl->features, GL_TRUE); /* host_state_restore puts it back */
+    if (gl->params.format == CUPOLA_FORMAT_SRGB8)
+        host_encoding_set(&gl->features, GL_TRUE); /* host_state_restore puts it back */
     glClearBufferfv(GL_COLOR, 0, frame->clear_color);
     if (stencil)
         glClearBufferfi(GL_DEPTH_STENCIL, 0, farthest, 0);

@@ -1,6 +1,7 @@
 /*
- * What the views are drawn into: an atlas, a rectangle of it for each view, with depth; with several
- * samples per texel the host draws into renderbuffers of the same size, and view_end resolves them.
+ * What the views are drawn into: an atlas, a rectangle of it for each view, with depth. With
+ * several samples per texel the host draws into renderbuffers of the same size, and view_end
+ * resolves them.
  */
 #include "error.h"
 #include "instance.h"

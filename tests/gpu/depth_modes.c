@@ -3,7 +3,7 @@
  * seen at every pixel of every view, however they are drawn one after the other.
  *
  * The surfaces are planes that cross in the middle of each view. Their nearness (1 / distance) is
- * linear over a view, so which one is nearer is known at every pixel; where they are as near as that
+ * linear over a view, so which one is nearer is known at every pixel; where they are so alike that
  * depth cannot tell, either may win: 1e-5 of the range, many steps of 24 bits.
  */
 #include <stdio.h>
@@ -186,7 +186,7 @@ static int red_pixels(const struct fixture *fixture)
     return count;
 }
 
-/* Two surfaces a thousandth apart at a million units, red the nearer one and drawn first or last. */
+/* Two surfaces a thousandth apart at a million units; red is nearer, and drawn first or last. */
 static int red_at_a_million(enum cupola_depth_format format, bool reversed, bool red_first)
 {
     const double nearness[2][3] = {{1 / 1.001e6, 0, 0}, {1e-6, 0, 0}};

@@ -3,8 +3,8 @@
  * the warp shows that atlas as the C reference does.
  *
  * An edge cuts every view at an odd angle. A texel's expected value is the part of it that lies on
- * the white side. N samples tell it in steps of 1/N; where they stand in a texel is the GL's choice,
- * by which a straight edge errs by up to 1/N more.
+ * the white side. N samples tell it in steps of 1/N; where they stand in a texel is the GL's
+ * choice, by which a straight edge errs by up to 1/N more.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -266,6 +266,30 @@ static void a_number_of_samples_that_is_not_to_be_had_is_refused(void **state)
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
 
+static void every_format_goes_with_every_depth_and_number_of_samples(void **state)
+{
+    struct fixture fixture;
+    int made = 0;
+    (void)state;
+    make(&fixture, CUPOLA_FORMAT_RGBA8, 1);
+    for (int format = 0; format < 4; format++) {
+        int most = most_samples(fixture.plan, (enum cupola_format)format);
+        for (int depth = 0; depth <= CUPOLA_DEPTH_NONE; depth++)
+            for (int samples = 1; samples <= most; samples++) {
+                const struct cupola_gl_params params = {.format = (enum cupola_format)format,
+                                                        .depth = (enum cupola_depth_format)depth,
+                                                        .samples = samples,
+                                                        .table = CUPOLA_TABLE_NONE};
+                fixture_replace_gl(&fixture, &params);
+                draw_edges(&fixture);
+                made++;
+            }
+    }
+    printf("%d made\n", made);
+    check_at_least(made, 10);
+    fixture_release(&fixture);
+}
+
 /* The view is resolved, and the host has its framebuffer again. */
 static void destroying_ends_an_open_view(void **state)
 {
@@ -291,6 +315,7 @@ int main(void)
         cmocka_unit_test(a_mean_of_encoded_values_would_be_caught),
         cmocka_unit_test(only_the_view_that_ends_is_resolved),
         cmocka_unit_test(a_number_of_samples_that_is_not_to_be_had_is_refused),
+        cmocka_unit_test(every_format_goes_with_every_depth_and_number_of_samples),
         cmocka_unit_test(destroying_ends_an_open_view),
     };
     return run_gpu_group("multisample", tests);
