@@ -32,6 +32,8 @@ CUPOLA_API int cupola_text_size(const char *text, int scale, int *width, int *he
  * Draws text into a picture, for glTexImage2D and a picture's overlay: white letters on a clear
  * ground, premultiplied.
  *
+ * text     as for cupola_text_size
+ * scale    likewise
  * rgba     out: 4 width height bytes, rows from the bottom up
  * width, height
  *          as cupola_text_size says
