@@ -146,5 +146,5 @@ void main()
     } else {
         light = seen_light(pixel);
     }
-    color = vec4(light, 1.0);
+    color = pixel_color(vec4(light, 1.0), pixel);
 }

@@ -203,12 +203,19 @@ static void set_blending(const struct host_features *features, const GLint equat
     }
 }
 
-void host_set_adding(const struct host_features *features)
+void host_set_adding(const struct host_features *features, bool adding)
 {
     const GLint equation[2] = {GL_FUNC_ADD, GL_FUNC_ADD};
     const GLint factors[4] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE};
-    set_blending(features, equation, factors);
-    set_blend(features, GL_TRUE);
+    if (adding)
+        set_blending(features, equation, factors);
+    set_blend(features, adding);
+}
+
+void host_set_encoding(const struct host_features *features, bool encoding)
+{
+    if (!features->srgb_always)
+        set_capability(GL_FRAMEBUFFER_SRGB, encoding);
 }
 
 void host_set_over(const struct host_features *features, bool linear)

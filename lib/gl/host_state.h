@@ -113,7 +113,10 @@ void host_state_restore(const struct host_state *state);
 void host_state_set(struct host_state *state, const struct host_features *features);
 
 /* Between saving and restoring: adds what is drawn to what is there; alpha stays. */
-void host_set_adding(const struct host_features *features);
+void host_set_adding(const struct host_features *features, bool adding);
+
+/* Between saving and restoring: has the GL encode what is drawn into sRGB formats. */
+void host_set_encoding(const struct host_features *features, bool encoding);
 
 /*
  * Between saving and restoring: lays what is drawn, premultiplied, over what is there; alpha

@@ -121,6 +121,13 @@ int overlay_program_create(const cupola_gl *gl, int output, bool gained,
 void overlay_program_destroy(struct overlay_program *program);
 
 /*
+ * Those of light.glsl. Asked: whether to encode is left to a uniform, for contexts where the GL may
+ * do it by itself.
+ */
+void light_lines(enum cupola_encoding encoding, bool asked, bool gained,
+                 char lines[WARP_LINES_MAX]);
+
+/*
  * Compiles what shows pictures of a kind, with `lines` before its files, and sets all but what
  * differs from frame to frame. 0 on failure.
  */

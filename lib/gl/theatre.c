@@ -10,6 +10,7 @@
 #include "geometry/angle.h"
 #include "geometry/vector.h"
 #include "instance.h"
+#include "light_sum.h"
 #include "program.h"
 #include "shaders.h"
 
@@ -23,6 +24,7 @@ struct cupola_theatre {
     GLuint vertex_array;
     GLuint sampler; /* of the images: their own settings are not touched */
     GLuint programs[CUPOLA_OUTPUTS_MAX];
+    struct light_sum sum; /* where several projectors' light is encoded */
 };
 
 /* What stays the same for every spectator. */
@@ -50,12 +52,16 @@ static int create_programs(cupola_theatre *theatre, struct cupola_error *error)
     static const struct shader_file files[] = {
         {"lens.glsl", shader_lens_glsl},
         {"points.glsl", shader_points_glsl},
+        {"light.glsl", shader_light_glsl},
         {"theatre.frag", shader_theatre_frag},
     };
+    char lines[WARP_LINES_MAX];
+    light_lines(CUPOLA_ENCODING_SRGB, true, false, lines);
     for (int i = 0; i < theatre->dome.rig.output_count; i++) {
-        char defines[PROGRAM_DEFINES_MAX];
+        char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX];
         program_defines(&theatre->dome, i, 1, 0, defines);
-        GLuint program = program_create(defines, files, 3, error);
+        strcat(defines, lines);
+        GLuint program = program_create(defines, files, 4, error);
         if (!program)
             return error->status;
         guest_name(&theatre->guest, GL_PROGRAM, program, "theatre of output %d", i);
@@ -71,6 +77,7 @@ static void destroy_objects(cupola_theatre *theatre)
 {
     for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
         glDeleteProgram(theatre->programs[i]);
+    light_sum_destroy(&theatre->sum);
     glDeleteSamplers(1, &theatre->sampler);
     glDeleteVertexArrays(1, &theatre->vertex_array);
 }
@@ -81,7 +88,10 @@ static int create_objects(cupola_theatre *theatre, struct cupola_error *error)
     if (!theatre->vertex_array)
         return error->status;
     theatre->sampler = sampler_create(&theatre->guest, "theatre", error);
-    return theatre->sampler ? create_programs(theatre, error) : (int)error->status;
+    int status = theatre->sampler ? create_programs(theatre, error) : (int)error->status;
+    if (status == CUPOLA_OK && theatre->dome.rig.output_count > 1)
+        status = light_sum_create(&theatre->guest, &theatre->sum, error);
+    return status;
 }
 
 /* With the context's features found. All or nothing, and the host's state as it was. */
@@ -205,6 +215,14 @@ static int check_rotation(const double rotation[9], struct cupola_error *error)
     return CUPOLA_OK;
 }
 
+static int check_encoding(enum cupola_encoding encoding, struct cupola_error *error)
+{
+    if (encoding == CUPOLA_ENCODING_LINEAR || encoding == CUPOLA_ENCODING_SRGB)
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT, "spectator's encoding is %d; allowed: %d to %d",
+                     (int)encoding, CUPOLA_ENCODING_LINEAR, CUPOLA_ENCODING_SRGB);
+}
+
 static int check_spectator(const struct cupola_spectator *spectator, int width, int height,
                            struct cupola_error *error)
 {
@@ -229,8 +247,10 @@ static int check_spectator(const struct cupola_spectator *spectator, int width, 
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "picture of the theatre is %d x %d px; allowed: 1 to 32768 each way",
                          width, height);
-    return rotation_is_zero(spectator->rotation) ? CUPOLA_OK
-                                                 : check_rotation(spectator->rotation, error);
+    if (!rotation_is_zero(spectator->rotation) &&
+        check_rotation(spectator->rotation, error) != CUPOLA_OK)
+        return CUPOLA_ERROR_ARGUMENT;
+    return check_encoding(spectator->encoding, error);
 }
 
 static void set_spectator(GLuint program, const cupola_dome *dome,
@@ -254,34 +274,24 @@ static void set_spectator(GLuint program, const cupola_dome *dome,
     glUniform1i(glGetUniformLocation(program, "furniture"), spectator->furniture);
 }
 
+/* Into the framebuffer that is bound. */
 static void draw_outputs(const cupola_theatre *theatre, const unsigned int *images,
                          const struct cupola_spectator *spectator, int width, int height,
-                         struct cupola_target place)
+                         struct cupola_target place, bool encoded)
 {
     glBindSampler(0, theatre->sampler);
     host_set_area(&theatre->features, place.x, place.y, width, height);
     for (int i = 0; i < theatre->dome.rig.output_count; i++) {
         GLuint program = theatre->programs[i];
         if (i == 1)
-            host_set_adding(&theatre->features);
+            host_set_adding(&theatre->features, true);
         glUseProgram(program);
         set_spectator(program, &theatre->dome, spectator, place, width, height);
         glUniform1i(glGetUniformLocation(program, "first_output"), i == 0);
+        glUniform1i(glGetUniformLocation(program, "encoded"), encoded);
         glBindTexture(GL_TEXTURE_2D, images[i]);
         draw_fullscreen(theatre->vertex_array);
     }
-}
-
-/* With the host's state saved. */
-static int check_images(const cupola_theatre *theatre, const unsigned int *images,
-                        struct cupola_error *error)
-{
-    for (int i = 0; i < theatre->dome.rig.output_count; i++)
-        if (!texture_bind(GL_TEXTURE_2D, images[i]))
-            return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                             "image %d is texture %u; allowed: the name of a GL_TEXTURE_2D", i,
-                             images[i]);
-    return CUPOLA_OK;
 }
 
 /* The images of projectors after the first are added by blending. */
@@ -296,6 +306,39 @@ static int check_blending(const cupola_theatre *theatre, GLuint framebuffer,
                      framebuffer);
 }
 
+/* By way of a sum only where codes would be added. */
+static int draw(cupola_theatre *theatre, const unsigned int *images,
+                const struct cupola_spectator *spectator, int width, int height,
+                struct cupola_target place, struct cupola_error *error)
+{
+    bool encoded =
+        spectator->encoding == CUPOLA_ENCODING_SRGB && !target_encodes(&theatre->features);
+    if (!encoded || theatre->dome.rig.output_count < 2) {
+        int status = check_blending(theatre, place.framebuffer, error);
+        if (status == CUPOLA_OK)
+            draw_outputs(theatre, images, spectator, width, height, place, encoded);
+        return status;
+    }
+    int status = light_sum_begin(&theatre->guest, &theatre->sum, width, height, error);
+    if (status != CUPOLA_OK)
+        return status;
+    draw_outputs(theatre, images, spectator, width, height, (struct cupola_target){0}, false);
+    light_sum_end(&theatre->guest, &theatre->sum, theatre->vertex_array, place);
+    return CUPOLA_OK;
+}
+
+/* With the host's state saved. */
+static int check_images(const cupola_theatre *theatre, const unsigned int *images,
+                        struct cupola_error *error)
+{
+    for (int i = 0; i < theatre->dome.rig.output_count; i++)
+        if (!texture_bind(GL_TEXTURE_2D, images[i]))
+            return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                             "image %d is texture %u; allowed: the name of a GL_TEXTURE_2D", i,
+                             images[i]);
+    return CUPOLA_OK;
+}
+
 int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
                         const struct cupola_spectator *spectator, int width, int height,
                         const struct cupola_target *target, struct cupola_error *error)
@@ -303,6 +346,8 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     if (!theatre || !images)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL",
                          theatre ? "images" : "theatre");
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted; /* what is made further down answers by the error's status */
     int status = guest_check_seen(&theatre->guest, error);
     if (status != CUPOLA_OK ||
         (status = check_spectator(spectator, width, height, error)) != CUPOLA_OK ||
@@ -318,9 +363,10 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
         status =
             target_check_sampled(place.framebuffer, images, theatre->dome.rig.output_count, error);
     if (status == CUPOLA_OK)
-        status = check_blending(theatre, place.framebuffer, error);
+        status = target_check_encoding(&theatre->features, place.framebuffer, spectator->encoding,
+                                       error);
     if (status == CUPOLA_OK)
-        draw_outputs(theatre, images, spectator, width, height, place);
+        status = draw(theatre, images, spectator, width, height, place, error);
     guest_end(&theatre->guest, &work);
     return status;
 }

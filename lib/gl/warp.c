@@ -89,18 +89,25 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
     return program;
 }
 
-void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX])
+void light_lines(enum cupola_encoding encoding, bool asked, bool gained, char lines[WARP_LINES_MAX])
 {
     enum { LINEAR, SRGB, ASKED };
-    int encoding = gl->params.encoding == CUPOLA_ENCODING_LINEAR ? LINEAR
-                   : gl->features.srgb_always || asked           ? ASKED
-                                                                 : SRGB;
+    int way = encoding == CUPOLA_ENCODING_LINEAR ? LINEAR : asked ? ASKED : SRGB;
     snprintf(lines, WARP_LINES_MAX,
+             "#define GAIN %d\n#define ENCODING_SRGB %d\n#define ENCODING_ASKED %d\n"
+             "#define ENCODING %d\n",
+             gained, SRGB, ASKED, way);
+}
+
+void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX])
+{
+    light_lines(gl->params.encoding, gl->features.srgb_always || asked, gained, lines);
+    size_t length = strlen(lines);
+    snprintf(lines + length, WARP_LINES_MAX - length,
              "#define STORAGE_ATLAS %d\n#define STORAGE_TEXTURES %d\n#define STORAGE_LAYERS %d\n"
-             "#define STORAGE %d\n#define GAIN %d\n#define ENCODING_SRGB %d\n"
-             "#define ENCODING_ASKED %d\n#define ENCODING %d\n",
+             "#define STORAGE %d\n",
              CUPOLA_STORAGE_ATLAS, CUPOLA_STORAGE_TEXTURES, CUPOLA_STORAGE_LAYERS,
-             (int)gl->params.storage, gained, SRGB, ASKED, encoding);
+             (int)gl->params.storage);
 }
 
 static int warp_program_create(const cupola_gl *gl, int output, int kind, bool gained,

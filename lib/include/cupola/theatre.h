@@ -53,7 +53,10 @@ struct cupola_spectator {
     double rotation[9];
     double fov_rad;       /* vertical opening, above 0 and below pi; 0: 60 degrees */
     bool furniture;       /* draws projectors, viewer and the outside of the screen, too */
-    float ambient_rgb[3]; /* light on an unlit screen, finite; all zero: black */
+    float ambient_rgb[3]; /* light on an unlit screen, linear, finite; all zero: black */
+    /* Of the picture that is drawn; 0: linear. The images are light: those of sRGB formats are
+     * decoded as they are sampled, and projectors are added up before anything is encoded. */
+    enum cupola_encoding encoding;
 };
 
 /*
