@@ -35,7 +35,7 @@ vec2 domemaster_change(vec3 at, float across, float angle, vec3 change)
                                     round * angle * dot(round, change.xy) / across);
 }
 
-// How far inside of the rim, in radii, the filter's taps meet nothing of what lies beyond: 1.5 texels
+// How far inside of the rim, in radii, the filter meets nothing of what lies beyond: 1.5 texels
 // of the level that it takes.
 float domemaster_inset(Place place, vec2 size)
 {
