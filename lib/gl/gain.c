@@ -10,17 +10,15 @@ GLint gain_unit(const cupola_gl *gl)
                                                          : UNIT_TABLE + 1;
 }
 
-static int check_texture(int output, GLuint texture, struct cupola_error *error)
+static int refuse_texture(int output, GLuint texture, struct cupola_error *error)
 {
-    if (texture_bind(GL_TEXTURE_2D, texture))
-        return CUPOLA_OK;
     return error_set(error, CUPOLA_ERROR_ARGUMENT,
                      "gain of output %d is texture %u; allowed: the name of a GL_TEXTURE_2D, or 0 "
                      "for none",
                      output, texture);
 }
 
-/* Of the texture that check_texture has bound. OpenGL ES 3.0 cannot be asked. */
+/* Of the texture that is bound. OpenGL ES 3.0 cannot be asked. */
 static int check_size(const cupola_gl *gl, int output, GLuint texture, struct cupola_error *error)
 {
     const struct cupola_output *wish = &gl->plan.dome.rig.outputs[output];
@@ -39,9 +37,9 @@ static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_erro
 {
     struct warp_pass *pass = &gl->passes[output];
     struct warp_program made[SOURCE_KINDS] = {{0}};
-    int status = check_texture(output, texture, error);
-    if (status == CUPOLA_OK)
-        status = check_size(gl, output, texture, error);
+    if (!texture_bind(GL_TEXTURE_2D, texture))
+        return refuse_texture(output, texture, error);
+    int status = check_size(gl, output, texture, error);
     if (status != CUPOLA_OK || pass->gained)
         return status;
     status = warp_programs_create(gl, output, true, made, error);
@@ -97,7 +95,10 @@ int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture, struct c
 
 int gain_check(const cupola_gl *gl, int output, struct cupola_error *error)
 {
-    return check_texture(output, gl->passes[output].gain, error);
+    GLuint texture = gl->passes[output].gain;
+    return texture_found(&gl->guest, GL_TEXTURE_2D, texture)
+               ? CUPOLA_OK
+               : refuse_texture(output, texture, error);
 }
 
 void gain_bind(const cupola_gl *gl, int output)

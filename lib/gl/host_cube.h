@@ -11,6 +11,8 @@ struct host_cube {
 
 /* Saves it and has the GL filter across the edges of faces. */
 void host_cube_save(struct host_cube *cube);
+/* The latter without asking. */
+void host_cube_set(void);
 void host_cube_restore(const struct host_cube *cube);
 
 #endif

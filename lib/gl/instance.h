@@ -149,6 +149,9 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
  */
 bool texture_bind(GLenum target, GLuint name);
 
+/* The same without being left bound; where the host's state is left, only whether it is a name. */
+bool texture_found(const struct guest *guest, GLenum target, GLuint name);
+
 /*
  * Width, height and layers of the base level of a texture that is bound. False where the GL cannot
  * be asked, as OpenGL ES 3.0; a texture without texels has size 0.

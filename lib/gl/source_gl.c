@@ -51,16 +51,24 @@ bool texture_bind(GLenum target, GLuint name)
     return false;
 }
 
-static int check_texture(const struct cupola_source *source, struct cupola_error *error)
+bool texture_found(const struct guest *guest, GLenum target, GLuint name)
 {
-    bool cube = source->kind == CUPOLA_SOURCE_CUBE, found;
     struct host_cube host;
-    if (cube)
-        host_cube_save(&host);
-    found = texture_bind(cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, source->texture);
-    if (cube)
-        host_cube_restore(&host);
-    if (found)
+    if (guest->leaves_state)
+        return name && glIsTexture(name);
+    if (target != GL_TEXTURE_CUBE_MAP)
+        return texture_bind(target, name);
+    host_cube_save(&host);
+    bool found = texture_bind(target, name);
+    host_cube_restore(&host);
+    return found;
+}
+
+static int check_texture(const struct guest *guest, const struct cupola_source *source,
+                         struct cupola_error *error)
+{
+    bool cube = source->kind == CUPOLA_SOURCE_CUBE;
+    if (texture_found(guest, cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, source->texture))
         return CUPOLA_OK;
     return error_set(error, CUPOLA_ERROR_ARGUMENT,
                      "source's texture is %u; allowed for kind %s: the name of a %s",
@@ -78,7 +86,8 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
         return error_set(
             error, CUPOLA_ERROR_ARGUMENT, "source is of kind %s (%d); gl was made for sources 0x%x",
             cupola_source_name((int)source->kind), (int)source->kind, gl->params.sources);
-    return source->kind == CUPOLA_SOURCE_VIEWS ? CUPOLA_OK : check_texture(source, error);
+    return source->kind == CUPOLA_SOURCE_VIEWS ? CUPOLA_OK
+                                               : check_texture(&gl->guest, source, error);
 }
 
 /*

@@ -2,6 +2,9 @@
 #include "error.h"
 #include "instance.h"
 
+/* Of a texture that is not asked for its size: larger than any. */
+enum { SIZE_UNKNOWN = 1 << 24 };
+
 GLint view_image_unit(int view)
 {
     return view == 0 ? UNIT_IMAGE : UNIT_TABLE + view;
@@ -77,20 +80,22 @@ static int check_image(const cupola_gl *gl, const struct cupola_view_image *imag
 {
     const struct cupola_view_image *image = &images[view];
     GLint size[3];
-    if (!texture_bind(kind_of(gl), image->texture))
+    if (!texture_found(&gl->guest, kind_of(gl), image->texture))
         return refuse_texture(gl, view, image->texture, error);
     if (gl->params.storage == CUPOLA_STORAGE_LAYERS && image->texture != images[0].texture)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "view %d is a layer of texture %u and view 0 of texture %u; allowed: "
                          "layers of one GL_TEXTURE_2D_ARRAY",
                          view, image->texture, images[0].texture);
-    bool known = texture_size(&gl->features, kind_of(gl), size);
+    bool known = !gl->guest.leaves_state && texture_size(&gl->features, kind_of(gl), size);
     if (known && (size[0] < 1 || size[1] < 1))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "texture %u of view %d has no texels in its base level; allowed: at least "
                          "1 x 1",
                          image->texture, view);
-    if (!known) {
+    if (!known && gl->guest.leaves_state) {
+        size[0] = size[1] = size[2] = SIZE_UNKNOWN;
+    } else if (!known) {
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size[0]);
         size[1] = size[0];
         glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &size[2]);
@@ -153,7 +158,7 @@ int view_images_check(const cupola_gl *gl, struct cupola_error *error)
                          "first");
     int count = gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count;
     for (int i = 0; i < count; i++)
-        if (!texture_bind(kind_of(gl), gl->images.textures[i]))
+        if (!texture_found(&gl->guest, kind_of(gl), gl->images.textures[i]))
             return refuse_texture(gl, i, gl->images.textures[i], error);
     return CUPOLA_OK;
 }

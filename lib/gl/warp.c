@@ -222,7 +222,7 @@ static void warp_draw(const cupola_gl *gl, int output, const struct cupola_sourc
     const struct warp_pass *pass = &gl->passes[output];
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     const struct warp_program *program = &pass->programs[pass->gain != 0][source->kind];
-    bool cube = source->kind == CUPOLA_SOURCE_CUBE;
+    bool cube = source->kind == CUPOLA_SOURCE_CUBE, kept = !gl->guest.leaves_state;
     struct host_cube host;
     host_set_area(&gl->features, place->x, place->y, size->width_px, size->height_px);
     glUseProgram(program->program);
@@ -232,18 +232,20 @@ static void warp_draw(const cupola_gl *gl, int output, const struct cupola_sourc
     if (pass->gain)
         gain_bind(gl, output);
     glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
-    if (cube)
+    if (cube && kept)
         host_cube_save(&host);
+    else if (cube)
+        host_cube_set();
     if (source->kind == CUPOLA_SOURCE_VIEWS)
         views_bind(gl, output, program);
     else
         source_bind(gl, program, source);
     draw_fullscreen(gl->vertex_array);
-    if (cube)
+    if (cube && kept)
         host_cube_restore(&host);
 }
 
-/* All that is sampled: there, and not drawn into at the same time. */
+/* All that is sampled: there, and not drawn into at the same time. The target is bound then. */
 static int check_sampled(const cupola_gl *gl, int output, const struct cupola_source *source,
                          GLuint framebuffer, struct cupola_error *error)
 {
@@ -261,8 +263,11 @@ static int check_sampled(const cupola_gl *gl, int output, const struct cupola_so
         status = gain_check(gl, output, error);
     if (status == CUPOLA_OK)
         status = target_bind(framebuffer, error);
+    if (status != CUPOLA_OK || gl->guest.leaves_state)
+        return status; /* what is attached to the target would have to be asked for */
+    status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);
     if (status == CUPOLA_OK)
-        status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);
+        status = target_check_encoding(&gl->features, framebuffer, gl->params.encoding, error);
     return status;
 }
 
@@ -287,9 +292,6 @@ static int warp(cupola_gl *gl, int output, const struct cupola_source *source,
     struct guest_work work;
     guest_begin(&gl->guest, &work, "warp of output %d", output);
     status = check_sampled(gl, output, &shown, place.framebuffer, error);
-    if (status == CUPOLA_OK)
-        status =
-            target_check_encoding(&gl->features, place.framebuffer, gl->params.encoding, error);
     if (status == CUPOLA_OK)
         warp_draw(gl, output, &shown, &place);
     guest_end(&gl->guest, &work);
