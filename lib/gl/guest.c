@@ -52,12 +52,17 @@ static GLenum reset_status(enum host_reset asked)
 
 int guest_check(struct guest *guest, struct cupola_error *error)
 {
+    bool robust = guest->features->reset != HOST_RESET_NEVER;
     int status = guest_check_seen(guest, error);
-    if (status != CUPOLA_OK || (status = context_check(error)) != CUPOLA_OK)
+    if (status != CUPOLA_OK)
+        return status;
+    status = context_check(error);
+    /* A lost context, too, has no version any more. Its reset can be asked for: creation did. */
+    if (status != CUPOLA_OK && !(robust && epoxy_gl_version() == 0))
         return status;
     GLenum reset = reset_status(guest->features->reset);
     if (reset == GL_NO_ERROR)
-        return CUPOLA_OK;
+        return status;
     guest->lost = true;
     guest_tell(guest, CUPOLA_LOG_ERROR, CUPOLA_LOG_CONTEXT_LOST,
                "the GL context has been lost (reset status 0x%x%s)", reset,
@@ -65,6 +70,24 @@ int guest_check(struct guest *guest, struct cupola_error *error)
                : reset == GL_INNOCENT_CONTEXT_RESET ? ", innocent"
                                                     : "");
     return guest_check_seen(guest, error);
+}
+
+int guest_reason(struct guest *guest, int status, struct cupola_error *error)
+{
+    struct cupola_error lost;
+    if (status >= 0 || guest->features->reset == HOST_RESET_NEVER ||
+        guest_check(guest, &lost) != CUPOLA_ERROR_LOST)
+        return status;
+    *error = lost;
+    return CUPOLA_ERROR_LOST;
+}
+
+int guest_ended(struct guest *guest, const char *call, int status, struct cupola_error *error)
+{
+    status = guest_reason(guest, status, error);
+    if (status < 0)
+        guest_tell(guest, CUPOLA_LOG_ERROR, CUPOLA_LOG_CALL_FAILED, "%s: %s", call, error->message);
+    return status;
 }
 
 void guest_tell(const struct guest *guest, int level, int id, const char *format, ...)
@@ -204,6 +227,9 @@ int gl_refused(GLenum failure, struct cupola_error *error, const char *what, ...
     va_start(arguments, what);
     vsnprintf(words, sizeof words, what, arguments);
     va_end(arguments);
+    if (failure == GL_CONTEXT_LOST)
+        return error_set(error, CUPOLA_ERROR_LOST, "the GL context was lost before it made %s",
+                         words);
     if (failure == GL_OUT_OF_MEMORY)
         return error_set(error, CUPOLA_ERROR_MEMORY, "the GL has no memory for %s", words);
     return error_set(error, CUPOLA_ERROR_GL, "the GL refused %s (error 0x%x)", words, failure);

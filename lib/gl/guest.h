@@ -36,6 +36,15 @@ int guest_check(struct guest *guest, struct cupola_error *error);
 int guest_check_seen(const struct guest *guest, struct cupola_error *error);
 
 /*
+ * The reason why a call failed: what its GL calls gave in a context that was lost meanwhile means
+ * nothing. The error is never NULL.
+ */
+int guest_reason(struct guest *guest, int status, struct cupola_error *error);
+
+/* The end of every public call: the same, and a failure is told to the log. */
+int guest_ended(struct guest *guest, const char *call, int status, struct cupola_error *error);
+
+/*
  * Begins a piece of work: a debug group of that name ("Cupola " before it), and the host's state
  * kept and set for full-screen passes. Work in frames leaves the state where the host wishes that;
  * work that makes something never does.

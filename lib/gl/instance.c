@@ -110,17 +110,20 @@ int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
     return CUPOLA_OK;
 }
 
-GLuint framebuffer_create(GLuint texture)
+GLuint framebuffer_create(GLuint texture, const char *what, struct cupola_error *error)
 {
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
-    if (!framebuffer)
+    if (!framebuffer) {
+        gl_refused(glGetError(), error, "a framebuffer's name");
         return 0;
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
         return framebuffer;
     glDeleteFramebuffers(1, &framebuffer);
+    error_set(error, CUPOLA_ERROR_GL, "the GL cannot draw into %s", what);
     return 0;
 }
 
@@ -154,12 +157,9 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     return log_check(&params->log, error);
 }
 
-int call_ended(const cupola_gl *gl, const char *call, int status, const struct cupola_error *error)
+int call_ended(cupola_gl *gl, const char *call, int status, struct cupola_error *error)
 {
-    if (gl && status < 0)
-        guest_tell(&gl->guest, CUPOLA_LOG_ERROR, CUPOLA_LOG_CALL_FAILED, "%s: %s", call,
-                   error->message);
-    return status;
+    return gl ? guest_ended(&gl->guest, call, status, error) : status;
 }
 
 static void destroy_objects(cupola_gl *gl)
@@ -220,9 +220,7 @@ static int make_objects(cupola_gl *gl, struct cupola_error *error)
         gl_errors_drop();
     }
     guest_end(&gl->guest, &work);
-    if (status != CUPOLA_OK && guest_check(&gl->guest, NULL) == CUPOLA_ERROR_LOST)
-        status = guest_check_seen(&gl->guest, error); /* the reason of whatever failed */
-    return status;
+    return guest_reason(&gl->guest, status, error);
 }
 
 static int create(const cupola_plan *plan, const struct cupola_gl_params *params, cupola_gl **gl,

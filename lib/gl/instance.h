@@ -74,8 +74,8 @@ struct cupola_gl {
     bool blank_told;                /* that none was */
 };
 
-/* The end of every public call on a gl (NULL allowed): failures are told to the host's log. */
-int call_ended(const cupola_gl *gl, const char *call, int status, const struct cupola_error *error);
+/* guest_ended for a public call on a gl, which may be NULL. */
+int call_ended(cupola_gl *gl, const char *call, int status, struct cupola_error *error);
 
 /* Tells the log what was made, and what of the GL is used. */
 void instance_tell_created(const cupola_gl *gl);
@@ -195,8 +195,8 @@ int target_bind(GLuint framebuffer, struct cupola_error *error);
 int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
                          struct cupola_error *error);
 
-/* A framebuffer with one colour texture. 0 on failure. */
-GLuint framebuffer_create(GLuint texture);
+/* A framebuffer with one colour texture; left bound. 0 on failure; `what` is drawn into it. */
+GLuint framebuffer_create(GLuint texture, const char *what, struct cupola_error *error);
 
 /* A 2-D texture without mipmaps, clamped to its edge. 0 on failure. */
 GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,

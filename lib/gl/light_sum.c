@@ -46,10 +46,10 @@ static int create_texture(const struct guest *guest, struct light_sum *sum, int 
     if (!sum->texture)
         return error->status;
     guest_name(guest, GL_TEXTURE, sum->texture, "theatre's light, %d x %d px", width, height);
-    sum->framebuffer = framebuffer_create(sum->texture);
+    sum->framebuffer = framebuffer_create(sum->texture, "the theatre's light", error);
     if (!sum->framebuffer) {
         destroy_texture(sum);
-        return gl_refused(glGetError(), error, "a framebuffer for the theatre's light");
+        return error->status;
     }
     sum->width = width;
     sum->height = height;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "guest.h"
 #include "shaders.h"
 
 enum { FILES_MAX = 8, LINES_PER_FILE = 1000 };
@@ -45,6 +46,7 @@ static void describe_failure(GLuint object, bool program, const struct shader_fi
         glGetProgramInfoLog(object, sizeof log, NULL, log);
     else
         glGetShaderInfoLog(object, sizeof log, NULL, log);
+    log[sizeof log - 1] = 0; /* whatever a lost context has written there */
     name_lines(log, files, count, text, sizeof text);
     for (char *c = text; *c; c++)
         if (*c == '\n')
@@ -74,6 +76,10 @@ static GLuint compile(GLenum kind, const char *defines, const struct shader_file
     }
     GLuint shader = glCreateShader(kind);
     GLint compiled = GL_FALSE;
+    if (!shader) {
+        gl_refused(glGetError(), error, "a shader for %s", files[count - 1].name);
+        return 0;
+    }
     glShaderSource(shader, 2 * count + 2, texts, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -98,6 +104,12 @@ GLuint program_create(const char *defines, const struct shader_file *files, int 
     }
     GLuint program = glCreateProgram();
     GLint linked = GL_FALSE;
+    if (!program) {
+        gl_refused(glGetError(), error, "a program for %s", files[count - 1].name);
+        glDeleteShader(vertex);
+        glDeleteShader(fragment);
+        return 0;
+    }
     glAttachShader(program, vertex);
     glAttachShader(program, fragment);
     glLinkProgram(program);

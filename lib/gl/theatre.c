@@ -108,9 +108,7 @@ static int make_objects(cupola_theatre *theatre, struct cupola_error *error)
         gl_errors_drop();
     }
     guest_end(&theatre->guest, &work);
-    if (status != CUPOLA_OK && guest_check(&theatre->guest, NULL) == CUPOLA_ERROR_LOST)
-        status = guest_check_seen(&theatre->guest, error); /* the reason of whatever failed */
-    return status;
+    return guest_reason(&theatre->guest, status, error);
 }
 
 int cupola_theatre_create(const cupola_dome *dome, cupola_theatre **theatre,
@@ -339,7 +337,7 @@ static int check_images(const cupola_theatre *theatre, const unsigned int *image
     return CUPOLA_OK;
 }
 
-int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
+static int theatre_draw(cupola_theatre *theatre, const unsigned int *images,
                         const struct cupola_spectator *spectator, int width, int height,
                         const struct cupola_target *target, struct cupola_error *error)
 {
@@ -369,4 +367,14 @@ int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
         status = draw(theatre, images, spectator, width, height, place, error);
     guest_end(&theatre->guest, &work);
     return status;
+}
+
+int cupola_theatre_draw(cupola_theatre *theatre, const unsigned int *images,
+                        const struct cupola_spectator *spectator, int width, int height,
+                        const struct cupola_target *target, struct cupola_error *error)
+{
+    struct cupola_error unwanted;
+    error = error ? error : &unwanted;
+    int status = theatre_draw(theatre, images, spectator, width, height, target, error);
+    return theatre ? guest_ended(&theatre->guest, __func__, status, error) : status;
 }

@@ -7,13 +7,13 @@
 #include "instance.h"
 
 static const struct {
-    const char *name;
+    const char *name, *in_words;
     GLenum internal;
 } colors[] = {
-    [CUPOLA_FORMAT_RGBA8] = {"RGBA8", GL_RGBA8},
-    [CUPOLA_FORMAT_RGBA16F] = {"RGBA16F", GL_RGBA16F},
-    [CUPOLA_FORMAT_RGBA32F] = {"RGBA32F", GL_RGBA32F},
-    [CUPOLA_FORMAT_SRGB8] = {"SRGB8", GL_SRGB8_ALPHA8},
+    [CUPOLA_FORMAT_RGBA8] = {"RGBA8", "views of RGBA8", GL_RGBA8},
+    [CUPOLA_FORMAT_RGBA16F] = {"RGBA16F", "views of RGBA16F", GL_RGBA16F},
+    [CUPOLA_FORMAT_RGBA32F] = {"RGBA32F", "views of RGBA32F", GL_RGBA32F},
+    [CUPOLA_FORMAT_SRGB8] = {"SRGB8", "views of SRGB8", GL_SRGB8_ALPHA8},
 };
 
 static const struct {
@@ -137,9 +137,9 @@ static int create_framebuffer(cupola_gl *gl, struct cupola_error *error)
         glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                   gl->samples);
-    } else if (!(gl->framebuffer = framebuffer_create(gl->atlas))) {
-        return error_set(error, CUPOLA_ERROR_GL, "the GL cannot draw into views of %s",
-                         colors[gl->params.format].name);
+    } else if (!(gl->framebuffer =
+                     framebuffer_create(gl->atlas, colors[gl->params.format].in_words, error))) {
+        return error->status;
     }
     if (gl->depth)
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, depths[gl->params.depth].attachment,
@@ -156,10 +156,9 @@ static int create_framebuffer(cupola_gl *gl, struct cupola_error *error)
 /* Renderbuffers for several samples, and the framebuffer that they are resolved into. */
 static int create_samples(cupola_gl *gl, struct cupola_error *error)
 {
-    gl->resolved = framebuffer_create(gl->atlas);
+    gl->resolved = framebuffer_create(gl->atlas, colors[gl->params.format].in_words, error);
     if (!gl->resolved)
-        return error_set(error, CUPOLA_ERROR_GL, "the GL cannot draw into views of %s",
-                         colors[gl->params.format].name);
+        return error->status;
     guest_name(&gl->guest, GL_FRAMEBUFFER, gl->resolved, "resolved views");
     gl->samples = renderbuffer_create(gl, colors[gl->params.format].internal, gl->params.samples,
                                       "color", error);

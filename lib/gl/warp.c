@@ -25,7 +25,7 @@ static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stag
     if (!program)
         return 0;
     GLuint table = texture_create(GL_RGBA32F, size->width_px, size->height_px, GL_NEAREST, error);
-    GLuint framebuffer = table ? framebuffer_create(table) : 0;
+    GLuint framebuffer = table ? framebuffer_create(table, "a table of floats", error) : 0;
     if (framebuffer) {
         host_set_area(&gl->features, 0, 0, size->width_px, size->height_px);
         glUseProgram(program);
@@ -34,8 +34,6 @@ static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stag
         draw_fullscreen(gl->vertex_array);
         glDeleteFramebuffers(1, &framebuffer);
     } else if (table) {
-        error_set(error, CUPOLA_ERROR_GL, "the GL cannot draw into a table of %d x %d px",
-                  size->width_px, size->height_px);
         glDeleteTextures(1, &table);
         table = 0;
     }
@@ -326,9 +324,7 @@ static int points(cupola_gl *gl, int output, unsigned int *texture, struct cupol
             gl_errors_drop();
         guest_end(&gl->guest, &work);
         if (!pass->points)
-            return guest_check(&gl->guest, NULL) == CUPOLA_ERROR_LOST
-                       ? guest_check_seen(&gl->guest, error)
-                       : (int)error->status;
+            return error->status;
     }
     *texture = pass->points;
     return CUPOLA_OK;

@@ -18,22 +18,23 @@ static bool fails(GLenum error)
     if (interposed.to_go == 0 || --interposed.to_go > 0)
         return false;
     interposed.error = error;
+    interposed.out_of_memory = error == GL_OUT_OF_MEMORY;
     return true;
 }
 
 /*
- * The first call of a function lets libepoxy find it and write the pointer anew: so the hook is put
- * back after each.
+ * The first call of a function lets libepoxy find it and write the pointer anew: so the hook is
+ * taken away before each and put back after it. Names go without their "gl", which would be macros of libepoxy's.
  */
 #define HOOK(name)                                                                                 \
     do {                                                                                           \
-        if (epoxy_##name != hook_##name) {                                                         \
-            real_##name = epoxy_##name;                                                            \
-            epoxy_##name = hook_##name;                                                            \
-        }                                                                                          \
+        real_##name = epoxy_gl##name;                                                              \
+        epoxy_gl##name = hook_##name;                                                              \
     } while (0)
+#define UNHOOK(name) epoxy_gl##name = real_##name
 #define CALL(name, arguments)                                                                      \
     do {                                                                                           \
+        UNHOOK(name);                                                                              \
         real_##name arguments;                                                                     \
         HOOK(name);                                                                                \
     } while (0)
@@ -81,7 +82,23 @@ static bool fails(GLenum error)
         interposed.asked++;                                                                        \
         if (interposed.lost)                                                                       \
             return in_lost;                                                                        \
+        UNHOOK(name);                                                                              \
         type answer = real_##name arguments;                                                       \
+        HOOK(name);                                                                                \
+        return answer;                                                                             \
+    }
+/* Tells of resets. */
+#define RESETS(name)                                                                               \
+    static GLenum (*real_##name)(void);                                                            \
+    static GLenum hook_##name(void)                                                                \
+    {                                                                                              \
+        count_call();                                                                              \
+        interposed.asked++;                                                                        \
+        interposed.resets_asked++;                                                                 \
+        if (interposed.lost)                                                                       \
+            return GL_GUILTY_CONTEXT_RESET;                                                        \
+        UNHOOK(name);                                                                              \
+        GLenum answer = real_##name();                                                             \
         HOOK(name);                                                                                \
         return answer;                                                                             \
     }
@@ -95,60 +112,69 @@ static bool fails(GLenum error)
             CALL(name, arguments);                                                                 \
     }
 
-NAMES(glGenTextures)
-NAMES(glGenFramebuffers)
-NAMES(glGenRenderbuffers)
-NAMES(glGenVertexArrays)
-NAMES(glGenSamplers)
-NAMES(glGenBuffers)
-NAMES(glGenQueries)
-MAKES(glTexImage2D, GL_OUT_OF_MEMORY,
+NAMES(GenTextures)
+NAMES(GenFramebuffers)
+NAMES(GenRenderbuffers)
+NAMES(GenVertexArrays)
+NAMES(GenSamplers)
+NAMES(GenBuffers)
+NAMES(GenQueries)
+MAKES(TexImage2D, GL_OUT_OF_MEMORY,
       (GLenum a, GLint b, GLint c, GLsizei d, GLsizei e, GLint f, GLenum g, GLenum h,
        const void *i),
       (a, b, c, d, e, f, g, h, i))
-MAKES(glTexStorage2D, GL_OUT_OF_MEMORY, (GLenum a, GLsizei b, GLenum c, GLsizei d, GLsizei e),
+MAKES(TexStorage2D, GL_OUT_OF_MEMORY, (GLenum a, GLsizei b, GLenum c, GLsizei d, GLsizei e),
       (a, b, c, d, e))
-MAKES(glRenderbufferStorage, GL_OUT_OF_MEMORY, (GLenum a, GLenum b, GLsizei c, GLsizei d),
+MAKES(RenderbufferStorage, GL_OUT_OF_MEMORY, (GLenum a, GLenum b, GLsizei c, GLsizei d),
       (a, b, c, d))
-MAKES(glRenderbufferStorageMultisample, GL_OUT_OF_MEMORY,
+MAKES(RenderbufferStorageMultisample, GL_OUT_OF_MEMORY,
       (GLenum a, GLsizei b, GLenum c, GLsizei d, GLsizei e), (a, b, c, d, e))
-MAKES(glBufferData, GL_OUT_OF_MEMORY, (GLenum a, GLsizeiptr b, const void *c, GLenum d),
-      (a, b, c, d))
-MAKES(glCompileShader, GL_NO_ERROR, (GLuint a), (a))
-MAKES(glLinkProgram, GL_NO_ERROR, (GLuint a), (a))
-ASKS(glGetIntegerv, 1, GLint, (GLenum name, GLint *values), (name, values))
-ASKS(glGetBooleanv, 1, GLboolean, (GLenum name, GLboolean *values), (name, values))
-ASKS(glGetFloatv, 4, GLfloat, (GLenum name, GLfloat *values), (name, values))
-ASKS(glGetIntegeri_v, 4, GLint, (GLenum name, GLuint i, GLint *values), (name, i, values))
-ASKS(glGetFramebufferAttachmentParameteriv, 1, GLint,
+MAKES(BufferData, GL_OUT_OF_MEMORY, (GLenum a, GLsizeiptr b, const void *c, GLenum d), (a, b, c, d))
+MAKES(CompileShader, GL_NO_ERROR, (GLuint a), (a))
+MAKES(LinkProgram, GL_NO_ERROR, (GLuint a), (a))
+ASKS(GetBooleanv, 1, GLboolean, (GLenum name, GLboolean *values), (name, values))
+ASKS(GetFloatv, 4, GLfloat, (GLenum name, GLfloat *values), (name, values))
+ASKS(GetIntegeri_v, 4, GLint, (GLenum name, GLuint index, GLint *values), (name, index, values))
+ASKS(GetFramebufferAttachmentParameteriv, 1, GLint,
      (GLenum target, GLenum at, GLenum name, GLint *values), (target, at, name, values))
-ASKS(glGetTexParameteriv, 1, GLint, (GLenum target, GLenum name, GLint *values),
+ASKS(GetTexParameteriv, 1, GLint, (GLenum target, GLenum name, GLint *values),
      (target, name, values))
-ASKS(glGetTexLevelParameteriv, 1, GLint, (GLenum target, GLint level, GLenum name, GLint *values),
+ASKS(GetTexLevelParameteriv, 1, GLint, (GLenum target, GLint level, GLenum name, GLint *values),
      (target, level, name, values))
-ASKS(glGetInternalformativ, n, GLint,
+ASKS(GetInternalformativ, n, GLint,
      (GLenum target, GLenum format, GLenum name, GLsizei n, GLint *values),
      (target, format, name, n, values))
-ASKS(glGetProgramiv, 1, GLint, (GLuint program, GLenum name, GLint *values),
-     (program, name, values))
-ASKS(glGetShaderiv, 1, GLint, (GLuint shader, GLenum name, GLint *values), (shader, name, values))
-ANSWERS(glIsEnabled, GLboolean, 77, (GLenum a), (a))
-ANSWERS(glGetUniformLocation, GLint, GARBAGE, (GLuint a, const GLchar *b), (a, b))
-ANSWERS(glGetGraphicsResetStatus, GLenum, GL_GUILTY_CONTEXT_RESET, (void), ())
-ANSWERS(glGetGraphicsResetStatusKHR, GLenum, GL_GUILTY_CONTEXT_RESET, (void), ())
-ANSWERS(glGetGraphicsResetStatusARB, GLenum, GL_GUILTY_CONTEXT_RESET, (void), ())
-ANSWERS(glGetGraphicsResetStatusEXT, GLenum, GL_GUILTY_CONTEXT_RESET, (void), ())
-DOES(glDrawArrays, (GLenum a, GLint b, GLsizei c), (a, b, c))
-DOES(glClearBufferfv, (GLenum a, GLint b, const GLfloat *c), (a, b, c))
-DOES(glBindFramebuffer, (GLenum a, GLuint b), (a, b))
-DOES(glUseProgram, (GLuint a), (a))
-DOES(glPushDebugGroup, (GLenum a, GLuint b, GLsizei c, const GLchar *d), (a, b, c, d))
-DOES(glPopDebugGroup, (void), ())
-DOES(glDeleteTextures, (GLsizei a, const GLuint *b), (a, b))
+ASKS(GetProgramiv, 1, GLint, (GLuint program, GLenum name, GLint *values), (program, name, values))
+ASKS(GetShaderiv, 1, GLint, (GLuint shader, GLenum name, GLint *values), (shader, name, values))
+ANSWERS(IsEnabled, GLboolean, 77, (GLenum a), (a))
+ANSWERS(GetUniformLocation, GLint, GARBAGE, (GLuint a, const GLchar *b), (a, b))
+RESETS(GetGraphicsResetStatus)
+RESETS(GetGraphicsResetStatusKHR)
+RESETS(GetGraphicsResetStatusARB)
+RESETS(GetGraphicsResetStatusEXT)
+DOES(DrawArrays, (GLenum a, GLint b, GLsizei c), (a, b, c))
+DOES(ClearBufferfv, (GLenum a, GLint b, const GLfloat *c), (a, b, c))
+DOES(BindFramebuffer, (GLenum a, GLuint b), (a, b))
+DOES(UseProgram, (GLuint a), (a))
+DOES(PushDebugGroup, (GLenum a, GLuint b, GLsizei c, const GLchar *d), (a, b, c, d))
+DOES(PopDebugGroup, (void), ())
+DOES(DeleteTextures, (GLsizei a, const GLuint *b), (a, b))
+
+/* Of constants that nobody has to wait for: not counted. */
+static const GLubyte *(*real_GetString)(GLenum name);
+static const GLubyte *hook_GetString(GLenum name)
+{
+    if (interposed.lost && interposed.versionless)
+        return NULL;
+    UNHOOK(GetString);
+    const GLubyte *text = real_GetString(name);
+    HOOK(GetString);
+    return text;
+}
 
 /* Those that are unlike the others. */
-static GLenum (*real_glGetError)(void);
-static GLenum hook_glGetError(void)
+static GLenum (*real_GetError)(void);
+static GLenum hook_GetError(void)
 {
     GLenum error = interposed.error;
     count_call();
@@ -158,93 +184,111 @@ static GLenum hook_glGetError(void)
         return GL_CONTEXT_LOST;
     if (error != GL_NO_ERROR)
         return error;
-    error = real_glGetError();
-    HOOK(glGetError);
+    UNHOOK(GetError);
+    error = real_GetError();
+    HOOK(GetError);
     return error;
 }
 
-static GLenum (*real_glCheckFramebufferStatus)(GLenum target);
-static GLenum hook_glCheckFramebufferStatus(GLenum target)
+static void (*real_GetIntegerv)(GLenum name, GLint *values);
+static void hook_GetIntegerv(GLenum name, GLint *values)
+{
+    count_call();
+    interposed.asked++;
+    if (interposed.robust && name == GL_RESET_NOTIFICATION_STRATEGY)
+        *values = GL_LOSE_CONTEXT_ON_RESET;
+    else if (interposed.lost)
+        *values = GARBAGE;
+    else
+        CALL(GetIntegerv, (name, values));
+}
+
+static GLenum (*real_CheckFramebufferStatus)(GLenum target);
+static GLenum hook_CheckFramebufferStatus(GLenum target)
 {
     count_call();
     if (fails(GL_NO_ERROR))
         return GL_FRAMEBUFFER_UNSUPPORTED;
     if (interposed.lost)
         return GL_FRAMEBUFFER_COMPLETE;
-    GLenum status = real_glCheckFramebufferStatus(target);
-    HOOK(glCheckFramebufferStatus);
+    UNHOOK(CheckFramebufferStatus);
+    GLenum status = real_CheckFramebufferStatus(target);
+    HOOK(CheckFramebufferStatus);
     return status;
 }
 
-static GLuint (*real_glCreateShader)(GLenum kind);
-static GLuint hook_glCreateShader(GLenum kind)
+static GLuint (*real_CreateShader)(GLenum kind);
+static GLuint hook_CreateShader(GLenum kind)
 {
     count_call();
     interposed.made++;
     if (fails(GL_OUT_OF_MEMORY) || interposed.lost)
         return 0;
-    GLuint shader = real_glCreateShader(kind);
-    HOOK(glCreateShader);
+    UNHOOK(CreateShader);
+    GLuint shader = real_CreateShader(kind);
+    HOOK(CreateShader);
     return shader;
 }
 
-static GLuint (*real_glCreateProgram)(void);
-static GLuint hook_glCreateProgram(void)
+static GLuint (*real_CreateProgram)(void);
+static GLuint hook_CreateProgram(void)
 {
     count_call();
     interposed.made++;
     if (fails(GL_OUT_OF_MEMORY) || interposed.lost)
         return 0;
-    GLuint program = real_glCreateProgram();
-    HOOK(glCreateProgram);
+    UNHOOK(CreateProgram);
+    GLuint program = real_CreateProgram();
+    HOOK(CreateProgram);
     return program;
 }
 
 #define EACH(X)                                                                                    \
-    X(glGenTextures)                                                                               \
-    X(glGenFramebuffers)                                                                           \
-    X(glGenRenderbuffers)                                                                          \
-    X(glGenVertexArrays)                                                                           \
-    X(glGenSamplers)                                                                               \
-    X(glGenBuffers)                                                                                \
-    X(glGenQueries)                                                                                \
-    X(glTexImage2D)                                                                                \
-    X(glTexStorage2D)                                                                              \
-    X(glRenderbufferStorage)                                                                       \
-    X(glRenderbufferStorageMultisample)                                                            \
-    X(glBufferData)                                                                                \
-    X(glCompileShader)                                                                             \
-    X(glLinkProgram)                                                                               \
-    X(glCreateShader)                                                                              \
-    X(glCreateProgram)                                                                             \
-    X(glCheckFramebufferStatus)                                                                    \
-    X(glGetError)                                                                                  \
-    X(glGetIntegerv)                                                                               \
-    X(glGetBooleanv)                                                                               \
-    X(glGetFloatv)                                                                                 \
-    X(glGetIntegeri_v)                                                                             \
-    X(glGetFramebufferAttachmentParameteriv)                                                       \
-    X(glGetTexParameteriv)                                                                         \
-    X(glGetTexLevelParameteriv)                                                                    \
-    X(glGetInternalformativ)                                                                       \
-    X(glGetProgramiv)                                                                              \
-    X(glGetShaderiv)                                                                               \
-    X(glIsEnabled)                                                                                 \
-    X(glGetUniformLocation)                                                                        \
-    X(glGetGraphicsResetStatus)                                                                    \
-    X(glGetGraphicsResetStatusKHR)                                                                 \
-    X(glGetGraphicsResetStatusARB)                                                                 \
-    X(glGetGraphicsResetStatusEXT)                                                                 \
-    X(glDrawArrays)                                                                                \
-    X(glClearBufferfv)                                                                             \
-    X(glBindFramebuffer)                                                                           \
-    X(glUseProgram)                                                                                \
-    X(glPushDebugGroup)                                                                            \
-    X(glPopDebugGroup)                                                                             \
-    X(glDeleteTextures)
+    X(GenTextures)                                                                                 \
+    X(GenFramebuffers)                                                                             \
+    X(GenRenderbuffers)                                                                            \
+    X(GenVertexArrays)                                                                             \
+    X(GenSamplers)                                                                                 \
+    X(GenBuffers)                                                                                  \
+    X(GenQueries)                                                                                  \
+    X(TexImage2D)                                                                                  \
+    X(TexStorage2D)                                                                                \
+    X(RenderbufferStorage)                                                                         \
+    X(RenderbufferStorageMultisample)                                                              \
+    X(BufferData)                                                                                  \
+    X(CompileShader)                                                                               \
+    X(LinkProgram)                                                                                 \
+    X(CreateShader)                                                                                \
+    X(CreateProgram)                                                                               \
+    X(CheckFramebufferStatus)                                                                      \
+    X(GetError)                                                                                    \
+    X(GetString)                                                                                   \
+    X(GetIntegerv)                                                                                 \
+    X(GetBooleanv)                                                                                 \
+    X(GetFloatv)                                                                                   \
+    X(GetIntegeri_v)                                                                               \
+    X(GetFramebufferAttachmentParameteriv)                                                         \
+    X(GetTexParameteriv)                                                                           \
+    X(GetTexLevelParameteriv)                                                                      \
+    X(GetInternalformativ)                                                                         \
+    X(GetProgramiv)                                                                                \
+    X(GetShaderiv)                                                                                 \
+    X(IsEnabled)                                                                                   \
+    X(GetUniformLocation)                                                                          \
+    X(GetGraphicsResetStatus)                                                                      \
+    X(GetGraphicsResetStatusKHR)                                                                   \
+    X(GetGraphicsResetStatusARB)                                                                   \
+    X(GetGraphicsResetStatusEXT)                                                                   \
+    X(DrawArrays)                                                                                  \
+    X(ClearBufferfv)                                                                               \
+    X(BindFramebuffer)                                                                             \
+    X(UseProgram)                                                                                  \
+    X(PushDebugGroup)                                                                              \
+    X(PopDebugGroup)                                                                               \
+    X(DeleteTextures)
 
 #define INSTALL(name) HOOK(name);
-#define REMOVE(name)  epoxy_##name = real_##name;
+#define REMOVE(name)  UNHOOK(name);
 
 void interposed_begin(void)
 {

@@ -12,13 +12,19 @@
 enum { GARBAGE = -1234567 };
 
 struct interposed {
-    int asked;    /* calls that ask the GL for something: glGet..., glIsEnabled */
-    int made;     /* calls that make objects, storage, shaders and programs */
-    int called;   /* all of those, and clears, draws, groups and framebuffers bound */
-    int to_go;    /* calls that may fail, up to the one that does; 0: none will, or it has */
-    GLenum error; /* what the failure left pending */
-    bool lost;    /* as after a reset */
-    int lose_in;  /* calls until then; 0: never */
+    int asked;        /* calls that ask the GL for something: glGet..., glIsEnabled */
+    int resets_asked; /* of those, whether the context was lost */
+    int made;         /* calls that make objects, storage, shaders and programs */
+    int called;       /* all of those, and clears, draws, groups and framebuffers bound */
+
+    int to_go;          /* calls that may fail, up to the one that does; 0: none will, or it has */
+    bool out_of_memory; /* was what failed */
+    GLenum error;       /* what the failure left pending */
+
+    bool robust;      /* tells that it may be lost, whether it may or not */
+    bool lost;        /* as after a reset */
+    bool versionless; /* and as after the reset has been asked for: has no version any more */
+    int lose_in;      /* calls until then; 0: never */
 };
 
 extern struct interposed interposed;

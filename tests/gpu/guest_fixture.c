@@ -1,0 +1,134 @@
+/* All that the library does in a host's context. */
+#include "guest_fixture.h"
+
+#include <stdlib.h>
+
+#include "check.h"
+#include "context.h"
+#include "rig_random.h"
+
+static void make_picture(struct cupola_source *source, enum cupola_source_kind kind)
+{
+    enum { SIDE = 4 };
+    bool cube = kind == CUPOLA_SOURCE_CUBE;
+    GLenum target = cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    unsigned char texels[4 * SIDE * SIDE];
+    for (int i = 0; i < 4 * SIDE * SIDE; i++)
+        texels[i] = (unsigned char)(40 * (int)kind + 7 * i);
+    *source = (struct cupola_source){.kind = kind};
+    glGenTextures(1, &source->texture);
+    glBindTexture(target, source->texture);
+    for (GLenum face = 0; face < (cube ? 6u : 1u); face++)
+        glTexImage2D(cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X + face : target, 0, GL_RGBA8, SIDE, SIDE,
+                     0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glBindTexture(target, 0);
+}
+
+static void make_gain(struct guest_house *house)
+{
+    unsigned char texels[4 * GUEST_SIZE * GUEST_SIZE];
+    for (int i = 0; i < 4 * GUEST_SIZE * GUEST_SIZE; i++)
+        texels[i] = (unsigned char)(255 - i % 100);
+    glGenTextures(1, &house->gain);
+    glBindTexture(GL_TEXTURE_2D, house->gain);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GUEST_SIZE, GUEST_SIZE, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 texels);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+static void make_target(struct guest_house *house)
+{
+    glGenTextures(1, &house->target_texture);
+    glBindTexture(GL_TEXTURE_2D, house->target_texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GUEST_SIZE, GUEST_SIZE, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 NULL);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glGenFramebuffers(1, &house->target.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, house->target.framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                           house->target_texture, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void guest_house_build(struct guest_house *house)
+{
+    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, GUEST_SIZE);
+    *house = (struct guest_house){.gl = NULL};
+    assert_int_equal(cupola_dome_create(&rig, &house->dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_plan_create(house->dome, NULL, &house->plan, NULL), CUPOLA_OK);
+    for (int i = 0; i < GUEST_PICTURES; i++)
+        make_picture(&house->pictures[i], (enum cupola_source_kind)(CUPOLA_SOURCE_DOMEMASTER + i));
+    make_gain(house);
+    make_target(house);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+void guest_house_release(struct guest_house *house)
+{
+    cupola_theatre_destroy(&house->theatre);
+    cupola_gl_destroy(&house->gl);
+    cupola_plan_destroy(&house->plan);
+    cupola_dome_destroy(&house->dome);
+    for (int i = 0; i < GUEST_PICTURES; i++)
+        glDeleteTextures(1, &house->pictures[i].texture);
+    glDeleteTextures(1, &house->gain);
+    glDeleteTextures(1, &house->target_texture);
+    glDeleteFramebuffers(1, &house->target.framebuffer);
+}
+
+int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *params,
+                    struct cupola_error *error)
+{
+    struct cupola_gl_params wished = params ? *params : (struct cupola_gl_params){.samples = 0};
+    if (!wished.sources)
+        wished.sources = 1u << CUPOLA_SOURCE_VIEWS | 1u << CUPOLA_SOURCE_DOMEMASTER |
+                         1u << CUPOLA_SOURCE_EQUIRECTANGULAR | 1u << CUPOLA_SOURCE_CUBE;
+    return cupola_gl_create(house->plan, &wished, &house->gl, error);
+}
+
+int guest_views(struct guest_house *house, struct cupola_error *error)
+{
+    int views = cupola_gl_frame_begin(house->gl, NULL, error);
+    for (int i = 0; i < views; i++) {
+        int status = cupola_gl_view_begin(house->gl, i, NULL, error);
+        if (status < 0)
+            return status;
+        const GLfloat color[4] = {0.2f * (float)i, 0.5f, 0.9f - 0.2f * (float)i, 1};
+        glClearBufferfv(GL_COLOR, 0, color);
+        status = cupola_gl_view_end(house->gl, error);
+        if (status < 0)
+            return status;
+    }
+    return views;
+}
+
+int guest_warp(struct guest_house *house, int picture, struct cupola_error *error)
+{
+    return cupola_gl_warp(house->gl, 0, picture < 0 ? NULL : &house->pictures[picture],
+                          &house->target, error);
+}
+
+int guest_frame(struct guest_house *house, struct cupola_error *error)
+{
+    int status = guest_views(house, error);
+    for (int i = GUEST_PICTURES - 1; status >= 0 && i >= -1; i--)
+        status = guest_warp(house, i, error);
+    return status;
+}
+
+int guest_theatre(struct guest_house *house, struct cupola_error *error)
+{
+    struct cupola_spectator spectator;
+    cupola_spectator_outside(house->dome, &spectator);
+    return cupola_theatre_draw(house->theatre, &house->pictures[0].texture, &spectator, GUEST_SIZE,
+                               GUEST_SIZE, &house->target, error);
+}
+
+float *guest_picture(const struct guest_house *house)
+{
+    float *rgba = calloc(4 * GUEST_SIZE * GUEST_SIZE, sizeof *rgba);
+    assert_non_null(rgba);
+    assert_int_equal(cupola_gl_capture(&house->target, GUEST_SIZE, GUEST_SIZE, rgba, NULL),
+                     CUPOLA_OK);
+    return rgba;
+}

@@ -1,0 +1,43 @@
+/*
+ * All that the library does in a host's context, small: views, every kind of picture, points, the
+ * theatre, into a target that can be read.
+ */
+#ifndef GUEST_FIXTURE_H
+#define GUEST_FIXTURE_H
+
+#include "fixture.h"
+
+enum { GUEST_SIZE = 32, GUEST_PICTURES = 3 };
+
+struct guest_house {
+    cupola_dome *dome;
+    cupola_plan *plan;
+    cupola_gl *gl;
+    cupola_theatre *theatre; /* NULL until it is made */
+    struct cupola_source pictures[GUEST_PICTURES];
+    GLuint gain;
+    struct cupola_target target;
+    GLuint target_texture;
+};
+
+/* Dome, plan, pictures and target; no gl. */
+void guest_house_build(struct guest_house *house);
+void guest_house_release(struct guest_house *house);
+
+/* All sources, unless the parameters name some. */
+int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *params,
+                    struct cupola_error *error);
+
+/*
+ * One frame: the views, drawn by clears, then each source warped over the one before. With a status
+ * below 0 it ends, and that is what it returns.
+ */
+int guest_frame(struct guest_house *house, struct cupola_error *error);
+int guest_views(struct guest_house *house, struct cupola_error *error);
+int guest_warp(struct guest_house *house, int picture, struct cupola_error *error); /* -1: views */
+int guest_theatre(struct guest_house *house, struct cupola_error *error);
+
+/* RGBA floats, GUEST_SIZE by GUEST_SIZE; freed by the caller. */
+float *guest_picture(const struct guest_house *house);
+
+#endif
