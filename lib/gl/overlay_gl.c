@@ -96,11 +96,12 @@ static int check_textures(const cupola_gl *gl, const struct cupola_overlay *over
         GLint size[3];
         if (overlays[i].kind != CUPOLA_OVERLAY_PICTURE)
             continue;
-        if (!texture_bind(GL_TEXTURE_2D, overlays[i].texture))
+        if (!texture_found(&gl->guest, GL_TEXTURE_2D, overlays[i].texture))
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "overlay %d: texture is %u; allowed: the name of a GL_TEXTURE_2D", i,
                              overlays[i].texture);
-        if (texture_size(&gl->features, GL_TEXTURE_2D, size) && (size[0] < 1 || size[1] < 1))
+        if (!gl->guest.leaves_state && texture_size(&gl->features, GL_TEXTURE_2D, size) &&
+            (size[0] < 1 || size[1] < 1))
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "overlay %d: texture %u is %d x %d texels; allowed: 1 or more each "
                              "way",
@@ -144,8 +145,9 @@ static int prepare_target(const cupola_gl *gl, int output, const struct cupola_o
         status = gain_check(gl, output, error);
     if (status == CUPOLA_OK)
         status = target_bind(framebuffer, error);
-    if (status == CUPOLA_OK)
-        status = check_sampled(framebuffer, overlays, count, error);
+    if (status != CUPOLA_OK || gl->guest.leaves_state)
+        return status; /* what is attached to the target would have to be asked for */
+    status = check_sampled(framebuffer, overlays, count, error);
     if (status == CUPOLA_OK)
         status = target_check_sampled(framebuffer, &gain, 1, error);
     if (status == CUPOLA_OK)
@@ -167,6 +169,8 @@ static double bind_picture(const cupola_gl *gl, const struct cupola_overlay *ove
     glSamplerParameteri(gl->sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glSamplerParameteri(gl->sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glBindSampler(UNIT_IMAGE, gl->sampler);
+    if (gl->guest.leaves_state)
+        return 0; /* the shader can tell */
     return texture_size(&gl->features, GL_TEXTURE_2D, size) ? (double)size[0] / size[1] : 0;
 }
 

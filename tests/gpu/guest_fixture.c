@@ -5,6 +5,7 @@
 
 #include "check.h"
 #include "context.h"
+#include "cupola/overlay.h"
 #include "rig_random.h"
 
 static void make_picture(struct cupola_source *source, enum cupola_source_kind kind)
@@ -80,6 +81,7 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
                     struct cupola_error *error)
 {
     struct cupola_gl_params wished = params ? *params : (struct cupola_gl_params){.samples = 0};
+    wished.overlays = wished.overlays || !wished.sources;
     if (!wished.sources)
         wished.sources = 1u << CUPOLA_SOURCE_VIEWS | 1u << CUPOLA_SOURCE_DOMEMASTER |
                          1u << CUPOLA_SOURCE_EQUIRECTANGULAR | 1u << CUPOLA_SOURCE_CUBE;
@@ -108,12 +110,21 @@ int guest_warp(struct guest_house *house, int picture, struct cupola_error *erro
                           &house->target, error);
 }
 
+int guest_overlays(struct guest_house *house, struct cupola_error *error)
+{
+    const struct cupola_overlay overlays[] = {
+        {.kind = CUPOLA_OVERLAY_DISC, .direction = {0.2, 0.1, -1}, .width_rad = 0.4},
+        {.direction = {-0.2, 0, -1}, .width_rad = 0.3, .texture = house->pictures[0].texture},
+    };
+    return cupola_gl_overlay(house->gl, 0, overlays, 2, &house->target, error);
+}
+
 int guest_frame(struct guest_house *house, struct cupola_error *error)
 {
     int status = guest_views(house, error);
     for (int i = GUEST_PICTURES - 1; status >= 0 && i >= -1; i--)
         status = guest_warp(house, i, error);
-    return status;
+    return status < 0 ? status : guest_overlays(house, error);
 }
 
 int guest_theatre(struct guest_house *house, struct cupola_error *error)

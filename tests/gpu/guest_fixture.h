@@ -24,17 +24,18 @@ struct guest_house {
 void guest_house_build(struct guest_house *house);
 void guest_house_release(struct guest_house *house);
 
-/* All sources, unless the parameters name some. */
+/* All sources and overlays, unless the parameters name some. */
 int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *params,
                     struct cupola_error *error);
 
 /*
- * One frame: the views, drawn by clears, then each source warped over the one before. With a status
+ * One frame: the views, drawn by clears, then each source warped over the one before, then overlays. With a status
  * below 0 it ends, and that is what it returns.
  */
 int guest_frame(struct guest_house *house, struct cupola_error *error);
 int guest_views(struct guest_house *house, struct cupola_error *error);
 int guest_warp(struct guest_house *house, int picture, struct cupola_error *error); /* -1: views */
+int guest_overlays(struct guest_house *house, struct cupola_error *error);
 int guest_theatre(struct guest_house *house, struct cupola_error *error);
 
 /* RGBA floats, GUEST_SIZE by GUEST_SIZE; freed by the caller. */
