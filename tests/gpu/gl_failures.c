@@ -160,7 +160,7 @@ static void creation_survives(void **state)
 
 static void creation_with_samples_survives(void **state)
 {
-    const struct maker maker = {"create, several samples", make_gl, undo_gl, 20};
+    const struct maker maker = {"create, several samples", make_gl, undo_gl, 15};
     (void)state;
     params = (struct cupola_gl_params){.format = CUPOLA_FORMAT_SRGB8,
                                        .samples = 2,
