@@ -87,6 +87,7 @@ int main(int argc, char **argv)
         setup.samples = options.samples;
         setup.reversed_depth = options.reversed_depth;
         setup.mode = options.mode;
+        setup.overlays = options.mark_count > 0;
         setup.source = options.show_as;
         setup.output = options_output(&options);
         setup.floats = options.output && options_is_pfm(options.output);

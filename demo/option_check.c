@@ -38,6 +38,9 @@ const char *options_contradiction(const struct options *o)
         return "--lens-k belongs to --lens polynomial only";
     if (o->lens >= 0 && o->lens != CUPOLA_LENS_TABLE && o->lens_table)
         return "--lens-table belongs to --lens table only";
+    if (o->mark_count > 0 && (o->mode == SHOW_PERSPECTIVE || o->mode == SHOW_VIEWS))
+        return "--label and --cursor contradict --perspective and --views-only; allowed: the "
+               "dome's image, or --preview";
     if (o->lens_k.given && o->lens_table)
         return "--lens-k and --lens-table contradict each other; allowed: one of them";
     if (window_wish && (o->headless || o->output))

@@ -14,6 +14,8 @@ const struct option option_list[] = {
     {"picture-fov", required_argument, NULL, OPTION_PICTURE_FOV},
     {"picture-aim", required_argument, NULL, OPTION_PICTURE_AIM},
     {"picture-place", required_argument, NULL, OPTION_PICTURE_PLACE},
+    {"label", required_argument, NULL, OPTION_LABEL},
+    {"cursor", required_argument, NULL, OPTION_CURSOR},
     {"camera", required_argument, NULL, OPTION_CAMERA},
     {"look", required_argument, NULL, OPTION_LOOK},
     {"up", required_argument, NULL, OPTION_UP},

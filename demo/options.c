@@ -4,12 +4,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 #include <cupola/rig.h>
 
 #include "option_check.h"
 #include "option_list.h"
+#include "option_paths.h"
 #include "short_path.h"
 
 enum { BIG = 1000000 };
@@ -60,41 +60,6 @@ static const char *picture_place_name(int index)
 {
     static const char *const names[] = {"screen", "infinity"};
     return name_at(names, 2, index);
-}
-
-bool options_is_pfm(const char *path)
-{
-    size_t length = strlen(path);
-    return length > 4 && strcasecmp(path + length - 4, ".pfm") == 0;
-}
-
-static bool is_png(const char *path)
-{
-    size_t length = strlen(path);
-    return length > 4 && strcasecmp(path + length - 4, ".png") == 0;
-}
-
-static bool output_path(const struct value_context *context, const char *text, const char **path)
-{
-    if (is_png(text) || options_is_pfm(text)) {
-        *path = text;
-        return true;
-    }
-    snprintf(context->message, MESSAGE_SIZE,
-             "%s: '%s' is not allowed; allowed: FILE.png or FILE.pfm", context->option,
-             short_path(text).text);
-    return false;
-}
-
-static bool file_path(const struct value_context *context, const char *text, const char **path)
-{
-    if (*text) {
-        *path = text;
-        return true;
-    }
-    snprintf(context->message, MESSAGE_SIZE, "%s: '' is not allowed; allowed: the name of a file",
-             context->option);
-    return false;
 }
 
 static bool vector(const struct value_context *context, const char *text, double limit,
@@ -192,9 +157,9 @@ static bool take_scene(const struct value_context *c, int code, const char *text
     case OPTION_FRAMES:
         return value_integer(c, text, 1, BIG, &o->frames);
     case OPTION_OUTPUT:
-        return output_path(c, text, &o->output);
+        return value_output_path(c, text, &o->output);
     case OPTION_STATS:
-        return file_path(c, text, &o->stats);
+        return value_path(c, text, &o->stats);
     case OPTION_MONITOR:
         return value_integer(c, text, 0, 63, &o->monitor);
     case OPTION_FULLSCREEN:
@@ -212,7 +177,7 @@ static bool take_picture(const struct value_context *c, int code, const char *te
 
     switch (code) {
     case OPTION_SHOW:
-        return file_path(c, text, &o->show);
+        return value_path(c, text, &o->show);
     case OPTION_AS:
         if (!value_name(c, text, picture_kind_name, &index))
             return false;
@@ -279,9 +244,9 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
 
     switch (code) {
     case OPTION_RIG:
-        return file_path(c, text, &o->rig);
+        return value_path(c, text, &o->rig);
     case OPTION_SAVE_RIG:
-        return file_path(c, text, &o->save_rig);
+        return value_path(c, text, &o->save_rig);
     case OPTION_PRESET:
         o->preset = text;
         return value_name(c, text, cupola_rig_preset_name, &index);
@@ -294,7 +259,7 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
                                         (struct number_range){-BIG, BIG}, 1, 4, o->lens_k.value);
         return o->lens_k.given;
     case OPTION_LENS_TABLE:
-        return file_path(c, text, &o->lens_table);
+        return value_path(c, text, &o->lens_table);
     case OPTION_FLIP:
         if (!value_name(c, text, flip_name, &index))
             return false;
@@ -319,6 +284,22 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
     }
 }
 
+/* What is laid over the dome's image. */
+static bool take_mark(const struct value_context *c, int code, const char *text, struct options *o)
+{
+    struct mark *mark = &o->marks[o->mark_count];
+
+    if (o->mark_count == MARKS_MAX) {
+        snprintf(c->message, MESSAGE_SIZE,
+                 "%s: '%.200s' is one too many; allowed: %d of --label "
+                 "and --cursor",
+                 c->option, text, MARKS_MAX);
+        return false;
+    }
+    o->mark_count++;
+    return code == OPTION_LABEL ? value_label(c, text, mark) : value_cursor(c, text, mark);
+}
+
 static bool take(int code, int index, const char *text, struct options *options, char *message)
 {
     char option[40];
@@ -335,6 +316,8 @@ static bool take(int code, int index, const char *text, struct options *options,
             return take_rig(&context, code, text, options);
         if (code >= OPTION_LAYOUT && code <= OPTION_TABLE)
             return take_plan(&context, code, text, options);
+        if (code >= OPTION_LABEL && code <= OPTION_CURSOR)
+            return take_mark(&context, code, text, options);
         if (code >= OPTION_SHOW && code <= OPTION_PICTURE_PLACE)
             return take_picture(&context, code, text, options);
         return take_scene(&context, code, text, options);

@@ -9,6 +9,7 @@
 
 #include <cupola/gl.h>
 
+#include "marks.h"
 #include "option_values.h"
 
 enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
@@ -44,6 +45,9 @@ struct options {
     struct optional picture_fov_rad;
     struct optional picture_aim_rad;
     enum cupola_source_place picture_place;
+
+    struct mark marks[MARKS_MAX];
+    int mark_count;
 
     struct optional camera;
     struct optional look;

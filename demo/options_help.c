@@ -38,6 +38,13 @@ static const char picture_text[] =
     "  --picture-place WHERE  screen | infinity: painted on the screen, or far away; default: a\n"
     "                         domemaster on the screen, the others at infinity\n";
 
+static const char mark_text[] =
+    "\nOver the dome's image (32 of them at most)\n"
+    "  --label TEXT@YAW,PITCH[,HEIGHT]\n"
+    "                         text, upright as the viewer sees it; degrees, of the camera: to the\n"
+    "                         left and up; height above 0 and up to 90, default 4\n"
+    "  --cursor YAW,PITCH     the ring that a mouse has in a window\n";
+
 static const char rig_text[] =
     "\nRig (options override the rig file, which overrides the preset)\n"
     "  --rig FILE             a rig file\n"
@@ -111,6 +118,7 @@ void options_print_help(void)
     fputs(usage_text, stdout);
     fputs(scene_text, stdout);
     fputs(picture_text, stdout);
+    fputs(mark_text, stdout);
     fputs(rig_text, stdout);
     printf("  --preset NAME          %s;\n"
            "                         default: a full circle of 1024x1024, angular 180, tilt 0\n",

@@ -286,17 +286,25 @@ static void draw_views_only(struct show *show, const struct show_frame *frame)
     show_draw_atlas(show, frame->framebuffer, &rect);
 }
 
-static bool warp(struct show *show, const struct show_frame *frame, struct cupola_error *error)
+/* One output's image: the warp, and what lies over it. */
+static bool draw_output(struct show *show, const struct show_frame *frame, int output,
+                        unsigned int framebuffer, struct cupola_error *error)
+{
+    struct cupola_target target = {.framebuffer = framebuffer};
+
+    return cupola_gl_warp(show->gl, output, frame->source, &target, error) >= 0 &&
+           (!show->setup.overlays || cupola_gl_overlay(show->gl, output, frame->overlays,
+                                                       frame->overlay_count, &target, error) >= 0);
+}
+
+static bool draw_outputs(struct show *show, const struct show_frame *frame,
+                         struct cupola_error *error)
 {
     if (!is_preview(show->setup.mode))
-        return cupola_gl_warp(show->gl, show->setup.output, frame->source,
-                              &(struct cupola_target){.framebuffer = frame->framebuffer},
-                              error) >= 0;
-    for (int i = 0; i < cupola_dome_rig(show->dome)->output_count; i++) {
-        struct cupola_target target = {.framebuffer = show->images[i].framebuffer};
-        if (cupola_gl_warp(show->gl, i, frame->source, &target, error) < 0)
+        return draw_output(show, frame, show->setup.output, frame->framebuffer, error);
+    for (int i = 0; i < cupola_dome_rig(show->dome)->output_count; i++)
+        if (!draw_output(show, frame, i, show->images[i].framebuffer, error))
             return false;
-    }
     return true;
 }
 
@@ -356,7 +364,7 @@ bool show_draw(struct show *show, const struct show_frame *frame, char *message)
     if (show->setup.mode == SHOW_VIEWS) {
         draw_views_only(show, frame);
     } else if (show->setup.mode != SHOW_PERSPECTIVE) {
-        if (!warp(show, frame, &error))
+        if (!draw_outputs(show, frame, &error))
             goto fail;
         times.warp_ms = phase_ms(frame, start_ms) - times.views_ms;
         if (is_preview(show->setup.mode) && !draw_theatre(show, frame, &error))

@@ -23,6 +23,7 @@ struct show_setup {
     enum cupola_source_kind source; /* what is shown: the views of a scene, or a picture */
     int output;                     /* index of the output that is shown where only one is */
     bool floats;                    /* views and images of 32-bit floats instead of 8 bits */
+    bool overlays;                  /* frames have some */
 };
 
 struct show;
@@ -46,7 +47,9 @@ struct show_frame {
     struct scene *scene;
     const struct host_camera *camera;
     struct scene_range *range;
-    struct grid *grid; /* drawn over every view; NULL: none */
+    struct grid *grid;                     /* drawn over every view; NULL: none */
+    const struct cupola_overlay *overlays; /* over the dome's image */
+    int overlay_count;
     unsigned int framebuffer;
     int width; /* of the framebuffer; for the dome and the perspective view, the output's */
     int height;

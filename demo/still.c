@@ -19,6 +19,7 @@
 struct still {
     struct headless *headless;
     struct world world;
+    struct marks marks;
     struct show *show;
     struct target target;
     struct stats *stats; /* NULL: nobody wants them */
@@ -38,6 +39,8 @@ static int create(struct still *still, const struct options *options,
     if (status != STATUS_OK)
         return status;
     mine.floats |= still->world.scene->needs_float;
+    if (!marks_create(&still->marks, options->marks, options->mark_count, message))
+        return STATUS_FAILED;
     still->show = show_create(&mine, message);
     if (!still->show)
         return STATUS_FAILED;
@@ -59,6 +62,7 @@ static void destroy(struct still *still)
         if (still->target.framebuffer)
             target_destroy(&still->target);
         show_destroy(still->show);
+        marks_destroy(&still->marks);
         world_destroy(&still->world);
     }
     headless_destroy(still->headless);
@@ -87,6 +91,8 @@ static bool draw(struct still *still, const struct options *options, char *messa
         .scene = still->world.scene,
         .camera = &still->world.camera,
         .range = &range,
+        .overlays = still->marks.overlays,
+        .overlay_count = still->marks.count,
         .framebuffer = still->target.framebuffer,
         .width = still->target.width,
         .height = still->target.height,

@@ -23,6 +23,7 @@ struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
         /* Views of SRGB8 come out of the warp as linear light; the screen wants them encoded. */
         .encoding = format == CUPOLA_FORMAT_SRGB8 ? CUPOLA_ENCODING_SRGB : CUPOLA_ENCODING_LINEAR,
         .sources = 1u << (unsigned int)setup->source,
+        .overlays = setup->overlays,
     };
 }
 

@@ -157,6 +157,9 @@ static int create(struct window *window, const struct options *options, FILE *ne
     if (status != STATUS_OK)
         return status;
     window->setup.floats |= window->world.scene->needs_float;
+    window->setup.overlays = true; /* the mouse's cursor */
+    if (!marks_create(&window->marks, options->marks, options->mark_count, message))
+        return STATUS_FAILED;
     window->overlay = overlay_create(message, MESSAGE_SIZE);
     window->grid = window->overlay ? grid_create(message, MESSAGE_SIZE) : NULL;
     if (!window->grid)
@@ -180,6 +183,7 @@ static void destroy(struct window *window)
     if (!window->handle)
         return;
     show_destroy(window->show);
+    marks_destroy(&window->marks);
     grid_destroy(window->grid);
     overlay_destroy(window->overlay);
     world_destroy(&window->world);
@@ -207,17 +211,22 @@ static void follow_size(struct window *window)
 static bool draw(struct window *window, struct stats *stats, char *message)
 {
     struct frame_times times;
+    double direction[3];
     struct show_frame frame = {
         .source = window->world.film ? film_source(window->world.film) : NULL,
         .scene = window->world.scene,
         .camera = &window->world.camera,
         .range = &window->range,
         .grid = window->show_grid ? window->grid : NULL,
+        .overlays = window->marks.overlays,
+        .overlay_count = window->marks.count,
         .width = window->width,
         .height = window->height,
         .times = stats ? &times : NULL,
     };
 
+    if (window_picked(window, direction))
+        window->marks.overlays[frame.overlay_count++] = mark_cursor(direction);
     if (window->world.film &&
         !film_seek(window->world.film, film_index(window->world.film, now_ms() - window->start_ms),
                    message))

@@ -144,6 +144,7 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
                          -RADIANS_PER_PX * (y - window->cursor[1]));
     window->cursor[0] = x;
     window->cursor[1] = y;
+    window->cursor_ms = now_ms();
 }
 
 static void on_resize(GLFWwindow *handle, int width, int height)
@@ -161,6 +162,25 @@ void window_listen(struct window *window)
     glfwSetCursorPosCallback(window->handle, on_cursor);
     glfwSetFramebufferSizeCallback(window->handle, on_resize);
     glfwGetCursorPos(window->handle, &window->cursor[0], &window->cursor[1]);
+}
+
+bool window_picked(const struct window *window, double direction[3])
+{
+    const double shown_ms = 3000;
+    struct cupola_ray ray;
+    int width, height;
+
+    glfwGetWindowSize(window->handle, &width, &height);
+    if (window->setup.mode != SHOW_DOME || now_ms() - window->cursor_ms > shown_ms || width < 1 ||
+        height < 1)
+        return false;
+    /* Screen coordinates run from the top left and need not be pixels. */
+    if (cupola_dome_ray(show_dome(window->show), window->setup.output, NULL,
+                        window->cursor[0] * window->width / width,
+                        window->height - window->cursor[1] * window->height / height, &ray) != 1)
+        return false;
+    memcpy(direction, ray.direction, sizeof ray.direction);
+    return true;
 }
 
 static double held(const struct window *window, int forth, int back)

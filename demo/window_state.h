@@ -14,6 +14,7 @@ struct window {
     GLFWwindow *handle;
     struct world world;
     struct scene_range range;
+    struct marks marks;
     struct overlay *overlay;
     struct grid *grid;
 
@@ -35,6 +36,7 @@ struct window {
     char notice[MESSAGE_SIZE];
     double notice_end_ms;
     double cursor[2]; /* screen coordinates */
+    double cursor_ms; /* when the mouse was moved last */
     double moved_ms;  /* when the camera was moved last */
     double start_ms;  /* of the first frame */
     double frame_ms;  /* between frames, smoothed */
@@ -43,6 +45,9 @@ struct window {
 
 /* Sets the callbacks for keys and mouse. The handle's user pointer must be the window. */
 void window_listen(struct window *window);
+
+/* The direction under the mouse, if it was moved lately and one is there. */
+bool window_picked(const struct window *window, double direction[3]);
 
 /* Moves the camera by the keys that are held down. */
 void window_fly(struct window *window);

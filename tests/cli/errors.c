@@ -108,6 +108,15 @@ static void a_vector_has_all_its_components(void **state)
         {"--lens-k 1,", "--lens-k: '1,'", "K1,K3,K5,K7, 1 to 4"},
         {"--circle 1,2", "--circle: '1,2'", "CX,CY,R"},
         {"--circle 1,2,0", "--circle", "above 0"},
+        {"--cursor 1", "--cursor: '1'", "YAW,PITCH"},
+        {"--cursor 1,2,3", "--cursor: '1,2,3'", "YAW,PITCH"},
+        {"--cursor 1,nan", "--cursor: '1,nan'", "-360 to 360"},
+        {"--label N", "--label: 'N'", "TEXT@YAW,PITCH[,HEIGHT]"},
+        {"--label @1,2", "--label: '@1,2'", "1 to 100 characters"},
+        {"--label N@", "--label: ''", "YAW,PITCH[,HEIGHT]"},
+        {"--label N@1", "--label: '1'", "YAW,PITCH[,HEIGHT]"},
+        {"--label N@1,2,0", "'N@1,2,0'", "above 0 and up to 90"},
+        {"--label N@1,2,91", "'N@1,2,91'", "above 0 and up to 90"},
     };
     (void)state;
     CHECK_ALL(wrongs, USAGE);
@@ -139,6 +148,8 @@ static void options_that_contradict_each_other_are_refused(void **state)
         {"--density 1 --view-size 100", "--density and --view-size", "one of them"},
         {"--scene cube a.obj", "--scene and a MODEL", "one of them"},
         {"--perspective --views-only", "--views-only", "one of"},
+        {"--perspective --label N@1,2", "--label and --cursor", "--preview"},
+        {"--views-only --cursor 1,2", "--label and --cursor", "--preview"},
         {"--preview eye --perspective", "--perspective", "one of"},
         {"--lens angular --lens-k 1,0,0,0", "--lens-k", "--lens polynomial"},
         {"--lens polynomial", "--lens polynomial", "--lens-k"},

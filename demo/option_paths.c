@@ -1,0 +1,44 @@
+/* The values of command-line options that are names of files. */
+#include "option_paths.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "options.h"
+#include "short_path.h"
+
+bool options_is_pfm(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".pfm") == 0;
+}
+
+static bool is_png(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".png") == 0;
+}
+
+bool value_output_path(const struct value_context *context, const char *text, const char **path)
+{
+    if (is_png(text) || options_is_pfm(text)) {
+        *path = text;
+        return true;
+    }
+    snprintf(context->message, MESSAGE_SIZE,
+             "%s: '%s' is not allowed; allowed: FILE.png or FILE.pfm", context->option,
+             short_path(text).text);
+    return false;
+}
+
+bool value_path(const struct value_context *context, const char *text, const char **path)
+{
+    if (*text) {
+        *path = text;
+        return true;
+    }
+    snprintf(context->message, MESSAGE_SIZE, "%s: '' is not allowed; allowed: the name of a file",
+             context->option);
+    return false;
+}
