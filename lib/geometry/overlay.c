@@ -66,7 +66,7 @@ static void unit_of(const double v[3], double unit[3])
     scale3(unit, 1 / length3(unit));
 }
 
-/* Right is level. Straight up and down it is as if one had looked up or down from straight ahead. */
+/* Right is level. Straight up or down it is as if one had looked there from straight ahead. */
 static void set_axes(const double forward[3], double roll_rad, double axes[9])
 {
     double level = hypot(forward[0], forward[2]);

@@ -157,7 +157,7 @@ static int prepare_target(const cupola_gl *gl, int output, const struct cupola_o
     return status;
 }
 
-/* What is in unit 0, and how: not by the texture's own parameters. Returns width by height, or 0. */
+/* Filtered not by the texture's own parameters. Returns width by height; 0: not known. */
 static double bind_picture(const cupola_gl *gl, const struct cupola_overlay *overlay)
 {
     GLint size[3];

@@ -2,6 +2,7 @@
 #ifndef HOST_OBJECTS_H
 #define HOST_OBJECTS_H
 
+#include "cupola/overlay.h"
 #include "fixture.h"
 #include "hostilities.h"
 #include "rig_random.h"
@@ -284,5 +285,9 @@ static void state_reset(void)
     glViewport(0, 0, TARGET_WIDTH, TARGET_HEIGHT);
     glScissor(0, 0, TARGET_WIDTH, TARGET_HEIGHT);
 }
+
+/* A spot that lets half of the warp through. */
+static const struct cupola_overlay laid_over = {
+    CUPOLA_OVERLAY_DISC, {0.1, 0.2, -1.0}, 0.7, .color = {0.9f, 0.2f, 0.1f, 0.5f}};
 
 #endif

@@ -196,8 +196,7 @@ static void begin_views(cupola_gl *gl, const struct host *host)
         struct cupola_gl_view view;
         GLfloat viewport[4];
         GLint framebuffer = 0;
-        int status = cupola_gl_view_begin(gl, i, &view, NULL);
-        check_host(host, false, status, "view_begin");
+        check_host(host, false, cupola_gl_view_begin(gl, i, &view, NULL), "view_begin");
         glGetFloatv(GL_VIEWPORT, viewport);
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
         assert_int_equal(framebuffer, view.framebuffer);
@@ -216,6 +215,7 @@ static void draw_targets(cupola_gl *gl, cupola_theatre *theatre, const cupola_do
         struct cupola_target left = {target_framebuffer(i), 3, 5};
         struct cupola_target right = {target_framebuffer(i), WIDTH + 7, 9};
         check_host(host, true, cupola_gl_warp(gl, 0, NULL, &left, NULL), "warp");
+        check_host(host, true, cupola_gl_overlay(gl, 0, &laid_over, 1, &left, NULL), "overlay");
         check_host(host, true,
                    cupola_theatre_draw(theatre, images, &spectator, WIDTH, HEIGHT, &right, NULL),
                    "theatre_draw");
@@ -231,7 +231,7 @@ static struct results all_calls(struct host *host)
     cupola_gl *gl = NULL;
     cupola_theatre *theatre = NULL;
     GLuint images[2] = {0, 0};
-    const struct cupola_gl_params params = {.table = CUPOLA_TABLE_SINES};
+    const struct cupola_gl_params params = {.table = CUPOLA_TABLE_SINES, .overlays = true};
     const struct cupola_plan_report *report = cupola_plan_report(plan);
     struct cupola_target target = {target_framebuffer(TARGET_FLOAT), 1, 2};
 

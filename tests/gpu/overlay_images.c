@@ -1,4 +1,4 @@
-/* Overlays land where they are put: against plain C, by their middles, and as the viewer sees them. */
+/* Overlays land where they are put: against plain C, by their middles, as the viewer sees them. */
 #include <stdio.h>
 
 #include "overlay_canvas.h"

@@ -1,4 +1,4 @@
-/* Overlays: their order and alpha, what they leave alone, gain and encoding, and what is refused. */
+/* Overlays: order, alpha, gain and encoding, what they leave alone, and what is refused. */
 #include <math.h>
 
 #include "overlay_canvas.h"

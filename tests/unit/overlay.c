@@ -1,4 +1,4 @@
-/* Overlays: where rays meet them, what they cover of a pixel, and the pixels that they may change. */
+/* Overlays: where rays meet them, what they cover of a pixel, which pixels they may change. */
 #include <stdio.h>
 #include <string.h>
 
@@ -28,8 +28,9 @@ static struct cupola_overlay overlay_along(const struct cupola_aim *aim, double 
 static struct varying ray_to(const struct cupola_aim *aim, const struct cupola_overlay *overlay,
                              double across, double up)
 {
-    const long double in_lens[3] = {(long double)across * tanl(0.5L * overlay->width_rad),
-                                    (long double)up * tanl(0.5L * overlay->height_rad), -1.0L};
+    const long double in_lens[3] = {
+        (long double)across * tanl(0.5L * (long double)overlay->width_rad),
+        (long double)up * tanl(0.5L * (long double)overlay->height_rad), -1.0L};
     long double direction[3];
     struct varying ray = {{0}, {0}, {0}};
     oracle_aim(aim, in_lens, direction);
