@@ -102,6 +102,37 @@ static void what_it_does_not_cover_keeps_its_bits(void **state)
     fixture_release(&fixture);
 }
 
+/* What is attached beside the target is not blended into, whatever mask the host has for it. */
+static void further_draw_buffers_keep_what_they_have(void **state)
+{
+    (void)state;
+    static const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    struct fixture fixture;
+    if (!context_has(33, NULL, 32, "GL_OES_draw_buffers_indexed"))
+        skip();
+    make_plain(CUPOLA_ENCODING_LINEAR, &fixture);
+    struct canvas canvas = canvas_make(&fixture, GL_RGBA8),
+                  beside = canvas_make(&fixture, GL_RGBA8);
+    const struct cupola_overlay disc = disc_of(1.0f, 1.0f, 1.0f, 1.0f);
+    canvas_fill(&canvas, ground);
+    canvas_fill(&beside, ground);
+    float *before = canvas_read(&beside);
+    glBindFramebuffer(GL_FRAMEBUFFER, canvas.target.framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, beside.texture, 0);
+    glDrawBuffers(2, both);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    canvas_lay(&fixture, &canvas, &disc, 1);
+    float *after = canvas_read(&beside), *image = canvas_read(&canvas);
+    assert_memory_equal(after, before, sizeof *after * canvas_values(&beside));
+    check_color(pixel_at(image, SIDE / 2, SIDE / 2), 1.0, 1.0, 1.0, 1.0); /* it has been drawn */
+    free(image);
+    free(after);
+    free(before);
+    canvas_release(&beside);
+    canvas_release(&canvas);
+    fixture_release(&fixture);
+}
+
 static double srgb_of(double light)
 {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * pow(light, 1.0 / 2.4) - 0.055;
@@ -282,6 +313,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_last_one_lies_on_top),
         cmocka_unit_test(what_it_does_not_cover_keeps_its_bits),
+        cmocka_unit_test(further_draw_buffers_keep_what_they_have),
         cmocka_unit_test(it_is_encoded_as_the_target_wants),
         cmocka_unit_test(gain_holds_for_overlays),
         cmocka_unit_test(fields_outside_of_their_range_are_refused),
