@@ -45,6 +45,7 @@ static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stag
 static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
                            struct cupola_error *error)
 {
+    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     const char *name = cupola_table_name((int)stage);
     bool grouped = guest_group_open(&gl->guest, "table %s of output %d", name, output);
     if (!gl->features.float_targets)
@@ -54,7 +55,8 @@ static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table st
     GLuint table = gl->features.float_targets ? table_draw(gl, output, stage, error)
                                               : table_upload(gl, output, stage, error);
     if (table)
-        guest_name(&gl->guest, GL_TEXTURE, table, "table %s of output %d", name, output);
+        guest_name(&gl->guest, GL_TEXTURE, table, "table %s of output %d, %d x %d px", name, output,
+                   size->width_px, size->height_px);
     guest_group_close(&gl->guest, grouped);
     return table;
 }
