@@ -110,8 +110,8 @@ struct cupola_gl_params {
     unsigned int sources;
     bool overlays; /* cupola_gl_overlay will be called (overlay.h): its program is made, too */
     /* For hosts that set all of their state before they draw again: frames neither ask for the GL's
-     * state nor put it back, which is then what the call needed. docs/host-contract.md has both
-     * lists. */
+     * state nor put it back, which is then what the call needed, and trust the host about what only
+     * the GL could tell of textures and targets. docs/host-contract.md has both lists. */
     bool leaves_state;
     struct cupola_log log; /* who is told what happens (log.h); all zero: nobody */
 };
