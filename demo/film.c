@@ -121,7 +121,7 @@ static bool load_file(struct film *film, const char *path, GLenum target, char *
                        target == GL_TEXTURE_CUBE_MAP_NEGATIVE_Y;
         if (!upright)
             film_picture_turn(&picture); /* GL's faces stand on their heads, seen from inside */
-        glTexImage2D(target, 0, picture.floats ? GL_RGBA32F : GL_RGBA8, picture.width,
+        glTexImage2D(target, 0, picture.floats ? GL_RGBA32F : GL_SRGB8_ALPHA8, picture.width,
                      picture.height, 0, GL_RGBA, picture.floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
                      picture.floats ? (const void *)picture.floats : picture.bytes);
         film->side_px[0] = picture.width;

@@ -90,6 +90,7 @@ int main(int argc, char **argv)
         setup.overlays = options.mark_count > 0;
         setup.source = options.show_as;
         setup.output = options_output(&options);
+        setup.picture_of_numbers = options.show && options_is_pfm(options.show);
         setup.floats = options.output && options_is_pfm(options.output);
         status = run(&options, &setup, message);
         if (status != STATUS_OK)

@@ -75,7 +75,7 @@ static const char plan_text[] =
     "texels\n"
     "  --view-size PX         longer side of each view, instead of --density\n"
     "  --guard PX             guard band round each view, default 2\n"
-    "  --view-format NAME     rgba8 | srgb8 | rgba16f | rgba32f; default rgba8, for files and "
+    "  --view-format NAME     rgba8 | srgb8 | rgba16f | rgba32f; default srgb8, for files and "
     "scenes\n"
     "                         of numbers rgba32f\n"
     "  --msaa N               samples per texel, 1 to 64, as many as the GL has; default 1\n"

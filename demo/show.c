@@ -44,11 +44,14 @@ static bool create_theatre(struct show *show, char *message)
 {
     struct cupola_error error = {0};
     const struct cupola_rig *rig = cupola_dome_rig(show->dome);
+    enum target_kind kind = view_wishes_encoding(&show->setup) == CUPOLA_ENCODING_SRGB ? TARGET_SRGB
+                            : show->setup.floats ? TARGET_FLOATS
+                                                 : TARGET_BYTES;
 
     for (int i = 0; i < rig->output_count; i++) {
         const struct cupola_output *output = &rig->outputs[i];
-        if (!target_create(&show->images[i], output->width_px, output->height_px,
-                           show->setup.floats, message, MESSAGE_SIZE))
+        if (!target_create(&show->images[i], output->width_px, output->height_px, kind, message,
+                           MESSAGE_SIZE))
             return false;
     }
     if (cupola_theatre_create(show->dome, &show->theatre, &error) >= 0)
@@ -321,6 +324,7 @@ static bool draw_theatre(struct show *show, const struct show_frame *frame,
         cupola_spectator_at_eye(show->dome, &spectator);
     else
         cupola_spectator_outside(show->dome, &spectator);
+    spectator.encoding = view_wishes_encoding(&show->setup);
     return cupola_theatre_draw(show->theatre, images, &spectator, frame->width, frame->height,
                                &target, error) >= 0;
 }

@@ -22,6 +22,7 @@ struct show_setup {
     enum show_mode mode;
     enum cupola_source_kind source; /* what is shown: the views of a scene, or a picture */
     int output;                     /* index of the output that is shown where only one is */
+    bool picture_of_numbers;        /* a picture of floats, whose numbers are taken as they are */
     bool floats;                    /* views and images of 32-bit floats instead of 8 bits */
     bool overlays;                  /* frames have some */
 };

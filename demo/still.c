@@ -45,7 +45,8 @@ static int create(struct still *still, const struct options *options,
     if (!still->show)
         return STATUS_FAILED;
     show_size(still->show, &width, &height);
-    if (!target_create(&still->target, width, height, mine.floats, message, MESSAGE_SIZE))
+    if (!target_create(&still->target, width, height, mine.floats ? TARGET_FLOATS : TARGET_BYTES,
+                       message, MESSAGE_SIZE))
         return STATUS_FAILED;
     if (options->stats && !(still->stats = stats_create(options->stats))) {
         snprintf(message, MESSAGE_SIZE, "out of memory");

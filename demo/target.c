@@ -5,12 +5,22 @@
 
 #include <epoxy/gl.h>
 
-static void attach(struct target *target, bool floats)
+static const struct {
+    GLint internal_format;
+    GLenum type;
+    const char *name;
+} kinds[] = {
+    [TARGET_BYTES] = {GL_RGBA8, GL_UNSIGNED_BYTE, "RGBA8"},
+    [TARGET_SRGB] = {GL_SRGB8_ALPHA8, GL_UNSIGNED_BYTE, "SRGB8_ALPHA8"},
+    [TARGET_FLOATS] = {GL_RGBA32F, GL_FLOAT, "RGBA32F"},
+};
+
+static void attach(struct target *target, enum target_kind kind)
 {
     glGenTextures(1, &target->texture);
     glBindTexture(GL_TEXTURE_2D, target->texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, floats ? GL_RGBA32F : GL_RGBA8, target->width, target->height, 0,
-                 GL_RGBA, floats ? GL_FLOAT : GL_UNSIGNED_BYTE, NULL);
+    glTexImage2D(GL_TEXTURE_2D, 0, kinds[kind].internal_format, target->width, target->height, 0,
+                 GL_RGBA, kinds[kind].type, NULL);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -28,8 +38,8 @@ static void attach(struct target *target, bool floats)
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target->depth);
 }
 
-bool target_create(struct target *target, int width, int height, bool floats, char *message,
-                   size_t message_size)
+bool target_create(struct target *target, int width, int height, enum target_kind kind,
+                   char *message, size_t message_size)
 {
     GLint allowed = 0;
     GLenum status, error;
@@ -43,7 +53,7 @@ bool target_create(struct target *target, int width, int height, bool floats, ch
     }
     while (glGetError() != GL_NO_ERROR)
         continue;
-    attach(target, floats);
+    attach(target, kind);
     error = glGetError();
     status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -51,7 +61,7 @@ bool target_create(struct target *target, int width, int height, bool floats, ch
         return true;
     snprintf(message, message_size,
              "the GL refuses a framebuffer of %dx%d (%s; error 0x%04x, status 0x%04x)", width,
-             height, floats ? "RGBA32F" : "RGBA8", error, status);
+             height, kinds[kind].name, error, status);
 fail:
     target_destroy(target);
     return false;

@@ -9,19 +9,25 @@ static enum cupola_format view_format(const struct show_setup *setup)
 {
     if (setup->view_format >= 0)
         return (enum cupola_format)setup->view_format;
-    return setup->floats ? CUPOLA_FORMAT_RGBA32F : CUPOLA_FORMAT_RGBA8;
+    return setup->floats ? CUPOLA_FORMAT_RGBA32F : CUPOLA_FORMAT_SRGB8;
+}
+
+/* Scenes draw the colours of the screen, and picture files of bytes hold them. */
+enum cupola_encoding view_wishes_encoding(const struct show_setup *setup)
+{
+    bool encoded = setup->source == CUPOLA_SOURCE_VIEWS ? view_format(setup) == CUPOLA_FORMAT_SRGB8
+                                                        : !setup->picture_of_numbers;
+
+    return encoded ? CUPOLA_ENCODING_SRGB : CUPOLA_ENCODING_LINEAR;
 }
 
 struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
 {
-    enum cupola_format format = view_format(setup);
-
     return (struct cupola_gl_params){
-        .format = format,
+        .format = view_format(setup),
         .samples = setup->samples,
         .table = setup->table,
-        /* Views of SRGB8 come out of the warp as linear light; the screen wants them encoded. */
-        .encoding = format == CUPOLA_FORMAT_SRGB8 ? CUPOLA_ENCODING_SRGB : CUPOLA_ENCODING_LINEAR,
+        .encoding = view_wishes_encoding(setup),
         .sources = 1u << (unsigned int)setup->source,
         .overlays = setup->overlays,
     };

@@ -4,6 +4,12 @@
 
 #include "show.h"
 
+/*
+ * Of what the setup shows: sRGB where colours are mixed in linear light and encoded again at the
+ * end, linear where numbers come out as they are.
+ */
+enum cupola_encoding view_wishes_encoding(const struct show_setup *setup);
+
 struct cupola_gl_params view_wishes_params(const struct show_setup *setup);
 
 /* Also sets clip control as the frame's depth needs it; view_wishes_done sets it back. */

@@ -64,7 +64,7 @@ float meet_rod(vec3 from, vec3 along, vec3 foot, vec3 axis, float rod_length, fl
 void place_body(inout vec4 nearest, float t, vec3 normal, vec3 along, vec3 body_color)
 {
     if (t < nearest.w)
-        nearest = vec4(body_color * (0.35 + 0.65 * abs(dot(normal, along))), t);
+        nearest = vec4(body_color * (0.12 + 0.88 * abs(dot(normal, along))), t);
 }
 
 void place_ball(inout vec4 nearest, vec3 from, vec3 along, vec3 center, float radius,
@@ -80,13 +80,13 @@ vec4 nearest_body(vec3 from, vec3 along)
 {
     float head = 0.06 * screen_radius;
     vec4 nearest = vec4(0.0, 0.0, 0.0, FAR);
-    place_ball(nearest, from, along, eye, head, vec3(0.95, 0.65, 0.30));
-    place_ball(nearest, from, along, eye + 1.1 * head * gaze, 0.35 * head, vec3(0.85, 0.35, 0.2));
+    place_ball(nearest, from, along, eye, head, vec3(0.89, 0.38, 0.073));
+    place_ball(nearest, from, along, eye + 1.1 * head * gaze, 0.35 * head, vec3(0.69, 0.10, 0.033));
     for (int i = 0; i < projector_count; i++) {
         // The body stands behind the lens, and is seen where lens and viewer are in one place.
         vec3 foot = projector_positions[i], axis = -projector_axes[i];
         float rod = 0.22 * screen_radius, radius = 0.03 * screen_radius;
-        vec3 rod_color = vec3(0.35, 0.65, 0.95);
+        vec3 rod_color = vec3(0.10, 0.38, 0.89);
         place_ball(nearest, from, along, foot, 1.4 * radius, rod_color);
         place_ball(nearest, from, along, foot + rod * axis, radius, rod_color);
         float t = meet_rod(from, along, foot, axis, rod, radius);
@@ -107,7 +107,7 @@ float shell_opacity(vec3 point)
     float off_meridian = abs(meridian - round(meridian)) * across / 6.0 * 3.14159265;
     float off_rim = abs(-unit.z - cap_cosine) / max(across, 0.05);
     bool line = off_meridian < 0.006 || (cap_cosine >= -1.0 && off_rim < 0.012);
-    return line ? 0.55 : 0.12;
+    return line ? 0.5 : 0.05;
 }
 
 // What the spectator sees at a place of the picture, px.
@@ -118,7 +118,7 @@ vec3 seen_light(vec2 pixel)
     float middle = -dot(spectator, along);
     float square = middle * middle - dot(spectator, spectator) + screen_radius * screen_radius;
     vec4 body = furniture ? nearest_body(spectator, along) : vec4(0.0, 0.0, 0.0, FAR);
-    vec3 light = first_output && furniture ? vec3(0.045, 0.05, 0.06) : vec3(0.0);
+    vec3 light = first_output && furniture ? vec3(0.0035, 0.0039, 0.0049) : vec3(0.0);
     float exit = square >= 0.0 ? middle + sqrt(square) : -1.0;
     float entry = square >= 0.0 ? middle - sqrt(square) : -1.0;
 
@@ -131,7 +131,7 @@ vec3 seen_light(vec2 pixel)
         light = first_output ? body.xyz : vec3(0.0);
     if (furniture && entry > 0.0 && on_screen(spectator + entry * along)) {
         float opacity = shell_opacity(spectator + entry * along);
-        light = mix(light, first_output ? vec3(0.42, 0.45, 0.5) : vec3(0.0), opacity);
+        light = mix(light, first_output ? vec3(0.147, 0.171, 0.214) : vec3(0.0), opacity);
     }
     return light;
 }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "ray_rig.h"
+#include "srgb.h"
 
 /*
  * Of 255. A colour is rounded three times: in the view, by the filter's weights, in the picture;
@@ -43,7 +44,7 @@ static void measure(struct comparison *comparison, const struct theatre *theatre
     for (int c = 0; c < 3; c++) {
         double right = expectation->right[c], up = expectation->up[c];
         double row[MOVES] = {right, up, right * x + up * y, up * x - right * y};
-        double lost = expectation->mean[c] - pixel[c] / 255.0;
+        double lost = expectation->mean[c] - light_decoded(pixel[c] / 255.0);
 
         for (int a = 0; a < MOVES; a++) {
             for (int b = 0; b < MOVES; b++)

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "srgb.h"
+
 static const double DEGREE = 3.14159265358979323846 / 180;
 
 /*
@@ -313,7 +315,7 @@ static const double *shoot(const struct neighbourhood *near, struct vector ray)
     return colour;
 }
 
-/* Bilinear filtering is, on the average over where the texels lie, a tent of a texel's width. */
+/* In linear light. Bilinear filtering is, on the average over where the texels lie, a tent of a texel's width. */
 static void filter(const struct tracer *tracer, const struct neighbourhood *near, double x_px,
                    double y_px, struct expectation *expectation)
 {
@@ -332,9 +334,11 @@ static void filter(const struct tracer *tracer, const struct neighbourhood *near
         tracer_ray(tracer, x_px + x, y_px + y, &ray);
         colour = shoot(near, ray);
         for (int c = 0; colour && c < 3; c++) {
-            expectation->mean[c] += tent_x * tent_y * colour[c];
-            expectation->right[c] += copysign(step, x) * tent_y * colour[c];
-            expectation->up[c] += copysign(step, y) * tent_x * colour[c];
+            double light = light_decoded(colour[c]);
+
+            expectation->mean[c] += tent_x * tent_y * light;
+            expectation->right[c] += copysign(step, x) * tent_y * light;
+            expectation->up[c] += copysign(step, y) * tent_x * light;
         }
     }
 }
@@ -365,12 +369,16 @@ void tracer_expect(const struct tracer *tracer, int i, int j, struct expectation
     double x_px = i + 0.5, y_px = j + 0.5, share = coverage(theatre, i, j);
     double outermost_px = hypot(fabs(x_px - theatre->circle_x_px) + REACH_PX,
                                 fabs(y_px - theatre->circle_y_px) + REACH_PX);
+    /* Of the light, by which the demo's coverage may differ: a rim is no straight line. */
+    const double slack = share < 1 ? 1 / 255.0 : 0;
+    double least = fmax(share - slack, 0), most = fmin(share + slack, 1);
     struct neighbourhood near;
     struct vector corners[4];
     int on_screen = 0;
 
     memset(expectation, 0, sizeof *expectation);
-    if (share == 0)
+    if (share == 0 && hypot(x_px - theatre->circle_x_px, y_px - theatre->circle_y_px) >
+                          theatre->circle_radius_px + 1)
         return;
     for (int c = 0; c < 4; c++) /* counter-clockwise */
         on_screen += tracer_ray(tracer, x_px + (c == 0 || c == 3 ? -REACH_PX : REACH_PX),
@@ -387,8 +395,8 @@ void tracer_expect(const struct tracer *tracer, int i, int j, struct expectation
             expectation->high[c] = fmax(expectation->high[c], colour[c]);
             expectation->edge |= colour != near.triangles[0]->colour;
         }
-        expectation->low[c] *= share;
-        expectation->high[c] *= share;
+        expectation->low[c] = light_encoded(least * light_decoded(expectation->low[c]));
+        expectation->high[c] = light_encoded(most * light_decoded(expectation->high[c]));
     }
     expectation->inside = on_screen == 4 && outermost_px < theatre->circle_radius_px;
     if (expectation->inside && expectation->edge)

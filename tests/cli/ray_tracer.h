@@ -67,8 +67,8 @@ struct expectation {
     double low[3], high[3]; /* its colour, coverage of the rim pixel included */
     bool inside;            /* it and what it is filtered from lie inside circle and screen */
     bool edge;              /* differently coloured triangles are near */
-    /* Where inside and edge: colour filtered over a pixel, and how it grows per pixel right and
-     * up. */
+    /* Where inside and edge: light filtered over a pixel, linear, and how it grows per pixel right
+     * and up. */
     double mean[3], right[3], up[3];
 };
 

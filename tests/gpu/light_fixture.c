@@ -209,18 +209,6 @@ float *light_shown(const struct light_theatre *theatre, GLenum format, struct cu
     return image;
 }
 
-double light_encoded(double light)
-{
-    if (light <= 0.0)
-        return 0.0;
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * pow(light, 1.0 / 2.4) - 0.055;
-}
-
-double light_decoded(double code)
-{
-    return code <= 0.04045 ? code / 12.92 : pow((code + 0.055) / 1.055, 2.4);
-}
-
 void light_encode(float *rgba, int pixels)
 {
     for (int i = 0; i < 4 * pixels; i++)

@@ -6,6 +6,7 @@
 #define LIGHT_FIXTURE_H
 
 #include "fixture.h"
+#include "srgb.h"
 
 /* The ways. Not every context has views of floats; all have the others. */
 enum light_kind {
@@ -53,10 +54,6 @@ GLenum light_float_format(void); /* 0 where there is none */
  * the warp answered. NULL where it refused.
  */
 float *light_shown(const struct light_theatre *theatre, GLenum format, struct cupola_error *error);
-
-/* IEC 61966-2-1, both ways. */
-double light_encoded(double light);
-double light_decoded(double code);
 
 /* Encodes red, green and blue in place. */
 void light_encode(float *rgba, int pixels);

@@ -228,7 +228,9 @@ struct cupola_view_image {
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl or images is NULL, gl was not made for textures of the
  *          host's, one of them is none of that kind, a layer or a rectangle is outside of it, or
- *          layers are of different arrays
+ *          layers are of different arrays. Which layers and texels a texture has cannot be
+ *          asked in OpenGL ES 3.0 (3.1 can): there layers and rectangles are checked against the
+ *          largest that the GL allows
  *          CUPOLA_ERROR_CONTEXT
  * thread   the context's
  * since    0.1
@@ -247,7 +249,7 @@ CUPOLA_API int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_im
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or the texture is none or
- *          of another size
+ *          of another size (not asked for in OpenGL ES 3.0: see docs/host-contract.md)
  *          CUPOLA_ERROR_ORDER inside a view
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_GL if the GL refuses a shader: the first call for an output makes programs
@@ -274,17 +276,19 @@ struct cupola_target {
  *
  * output   index, 0 to the number of the rig's outputs - 1
  * source   what is shown, of a kind that gl was made for; NULL: the views
- * target   NULL: all zero. Textures that the warp samples (the atlas, the output's table, the
- *          picture) must not be attached to it, so the views' framebuffer is no target
+ * target   NULL: all zero. Textures that the warp samples (the views, the output's table and
+ *          gain, the picture) must not be attached to it, so the views' framebuffer is no target
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, the source is of a kind
  *          that gl was not made for, a field of it is outside of its range or its texture is none
- *          of that kind, or a texture that is sampled is a colour of the target
+ *          of that kind, a texture that is sampled is a colour of the target, or one that was
+ *          imported or set as a gain has been deleted since
  *          CUPOLA_ERROR_ORDER inside a view, or before the host's views were imported
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
- *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, or the encoding is
+ *          linear and this OpenGL ES always encodes into the target's format
  * thread   the context's
  * since    0.1
  */

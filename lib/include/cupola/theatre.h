@@ -90,7 +90,10 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
  *          said above, a side is not, or an image is no 2-D texture or a colour of the target
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
- *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
+ *          CUPOLA_ERROR_MEMORY
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, the encoding is
+ *          linear and this OpenGL ES always encodes into the target's format, or the GL refuses a
+ *          texture to add up the light of several projectors
  * thread   the context's
  * since    0.1
  */
