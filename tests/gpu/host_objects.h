@@ -14,13 +14,13 @@ static GLuint target_framebuffers[TARGETS], target_colors[TARGETS], target_depth
 static GLuint resolve_framebuffer, resolve_color;
 static GLuint naive_program, naive_vertex_array, naive_texture;
 
-static GLuint target_framebuffer(int target)
+static inline GLuint target_framebuffer(int target)
 {
     return target_framebuffers[target];
 }
 
 /* A framebuffer with the target's colour that can be read. */
-static GLuint target_resolved(int target)
+static inline GLuint target_resolved(int target)
 {
     if (target != TARGET_SAMPLES)
         return target_framebuffers[target];
@@ -65,7 +65,7 @@ static void targets_create(void)
 }
 
 /* Some grey, half of the depth, stencil 0; in a clean state. */
-static void targets_fill(void)
+static inline void targets_fill(void)
 {
     glClearColor(0.5f, 0.4f, 2.5f, 0.6f);
     context_clear_depth(0.5);
@@ -144,7 +144,7 @@ static void bindings_create(void)
 /* Views that are encoded, have a stencil and are resolved: what those need of the state, too. */
 static struct fixture sampled;
 
-static void sampled_create(void)
+static inline void sampled_create(void)
 {
     const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 90.0, 48);
     const struct cupola_gl_params params = {

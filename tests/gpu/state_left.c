@@ -1,0 +1,154 @@
+/*
+ * Frames that leave the host's state: the pictures are those of frames that keep it, whatever state
+ * the host was in before each call.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "check.h"
+#include "context.h"
+#include "fixture.h"
+#include "guest_fixture.h"
+#include "rig_random.h"
+
+#include "host_objects.h"
+
+static struct guest_house house;
+
+static int open_house(void **state)
+{
+    (void)state;
+    context_open();
+    state_reset();
+    objects_create();
+    state_reset();
+    guest_house_build(&house);
+    state_reset();
+    return 0;
+}
+
+static int close_house(void **state)
+{
+    (void)state;
+    guest_house_release(&house);
+    objects_release();
+    context_close();
+    return 0;
+}
+
+static bool hostility_may_be(const struct hostility *hostility)
+{
+    return context_has(hostility->gl, hostility->gl_extension, hostility->es,
+                       hostility->es_extension) &&
+           hostility->set != set_feedback; /* which frames that do not ask cannot pause */
+}
+
+/* All of them at once; a clean state for -1. */
+static void be_hostile(int which)
+{
+    for (int i = 0; i < HOSTILITIES; i++)
+        if (which >= 0 && (which == i || which == HOSTILITIES) && hostility_may_be(&hostilities[i]))
+            hostilities[i].set();
+    while (glGetError() != GL_NO_ERROR) /* not all of them go together */
+        ;
+}
+
+static void check_ok(int status, const char *call, const struct cupola_error *error)
+{
+    GLenum pending = glGetError();
+    if (status < 0 || pending != GL_NO_ERROR)
+        fail_msg("%s: status %d, %s, GL error 0x%x", call, status, error->message, pending);
+}
+
+/* What the host draws into a view, once it has set its state. */
+static void draw_view(const struct cupola_gl_view *view, int index)
+{
+    const struct cupola_rect *rect = &view->rect;
+    const GLfloat color[4] = {0.2f * (float)index, 0.5f, 0.7f, 1};
+    state_reset();
+    glBindFramebuffer(GL_FRAMEBUFFER, view->framebuffer);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(rect->x, rect->y, rect->width / 2, rect->height);
+    glClearBufferfv(GL_COLOR, 0, color);
+}
+
+/* A frame, each call of it in the same bad state; its pictures after every warp, in a row. */
+static float *frame(int which)
+{
+    enum { PICTURE = 4 * GUEST_SIZE * GUEST_SIZE, PICTURES = GUEST_PICTURES + 2 };
+    const struct cupola_frame wished = {.clear_color = {0.9f, 0.2f, 0.1f, 0.6f}};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    float *pictures = calloc(PICTURES * PICTURE, sizeof *pictures);
+    assert_non_null(pictures);
+    int views = cupola_gl_frame_begin(house.gl, &wished, &error);
+    for (int i = 0; i < views; i++) {
+        struct cupola_gl_view view;
+        be_hostile(which);
+        check_ok(cupola_gl_view_begin(house.gl, i, &view, &error), "view_begin", &error);
+        draw_view(&view, i);
+        be_hostile(which);
+        check_ok(cupola_gl_view_end(house.gl, &error), "view_end", &error);
+        state_reset();
+    }
+    for (int i = -1; i <= GUEST_PICTURES; i++) {
+        be_hostile(which);
+        check_ok(i < GUEST_PICTURES ? guest_warp(&house, i, &error)
+                                    : guest_overlays(&house, &error),
+                 "warp or overlay", &error);
+        state_reset();
+        float *picture = guest_picture(&house);
+        memcpy(pictures + (i + 1) * PICTURE, picture, PICTURE * sizeof *picture);
+        free(picture);
+    }
+    return pictures;
+}
+
+static void check_pictures(const struct cupola_gl_params *params, const char *name)
+{
+    enum { FLOATS = (GUEST_PICTURES + 2) * 4 * GUEST_SIZE * GUEST_SIZE };
+    struct cupola_gl_params wished = *params;
+    struct cupola_error error = {CUPOLA_OK, ""};
+    int tried = 0;
+    state_reset();
+    check_ok(guest_gl_create(&house, &wished, &error), "create", &error);
+    float *kept = frame(-1);
+    cupola_gl_destroy(&house.gl);
+    wished.leaves_state = true;
+    check_ok(guest_gl_create(&house, &wished, &error), "create", &error);
+    for (int which = -1; which <= HOSTILITIES; which++) {
+        float *left = frame(which);
+        tried++;
+        if (memcmp(left, kept, FLOATS * sizeof *left) != 0)
+            fail_msg("%s: other pictures after '%s'", name,
+                     which < 0              ? "nothing"
+                     : which == HOSTILITIES ? "everything"
+                                            : hostilities[which].name);
+        free(left);
+    }
+    int differing = 0; /* the control: the picture has something to lose */
+    for (int i = 4; i < FLOATS; i++)
+        differing += kept[i] != kept[i - 4];
+    check_at_least(differing, 500);
+    printf("  %s: %d hosts\n", name, tried);
+    free(kept);
+    cupola_gl_destroy(&house.gl);
+}
+
+static void pictures_are_those_of_frames_that_keep_the_state(void **state)
+{
+    const struct cupola_gl_params plain = {.table = CUPOLA_TABLE_SINES};
+    const struct cupola_gl_params rich = {
+        .format = CUPOLA_FORMAT_SRGB8, .depth = CUPOLA_DEPTH_24_STENCIL_8, .samples = 2};
+    (void)state;
+    check_pictures(&plain, "plain");
+    check_pictures(&rich, "sRGB, stencil, several samples");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pictures_are_those_of_frames_that_keep_the_state),
+    };
+    return cmocka_run_group_tests_name("state_left", tests, open_house, close_house);
+}
