@@ -1,5 +1,5 @@
 /* What a context has for debuggers, and whether it tells that it has been lost. */
-#include "host_state.h"
+#include "host_origin.h"
 
 static bool has_debug_extension(void)
 {

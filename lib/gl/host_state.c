@@ -1,24 +1,7 @@
 /* Saving and restoring of the host's GL state. */
 #include "host_state.h"
 
-enum { NEVER = 1000 }; /* not part of any version */
-
-/* Where something is: versions that have it and extensions that bring it, of either API. */
-struct origin {
-    int gl;
-    const char *gl_extension;
-    int es;
-    const char *es_extension;
-};
-
-#define EVERYWHERE                                                                                 \
-    {                                                                                              \
-        33, NULL, 30, NULL                                                                         \
-    }
-#define DESKTOP(es_extension)                                                                      \
-    {                                                                                              \
-        33, NULL, NEVER, es_extension                                                              \
-    }
+#include "host_origin.h"
 
 /* Capabilities and what Cupola needs. */
 static const struct {
@@ -75,51 +58,10 @@ static const GLenum blend_equations[2] = {GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATI
 static const GLenum blend_factors[4] = {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA,
                                         GL_BLEND_DST_ALPHA};
 
-static bool has(const struct host_features *features, struct origin origin)
+void host_capabilities_find(struct host_features *features)
 {
-    int since = features->es ? origin.es : origin.gl;
-    const char *extension = features->es ? origin.es_extension : origin.gl_extension;
-    return epoxy_gl_version() >= since || (extension && epoxy_has_gl_extension(extension));
-}
-
-/* Some extensions of OpenGL ES come from two makers and do the same. */
-static bool has_either(const struct host_features *features, struct origin origin,
-                       const char *es_extension)
-{
-    return has(features, origin) || (features->es && epoxy_has_gl_extension(es_extension));
-}
-
-void host_features_find(struct host_features *features)
-{
-    const struct origin blending = {40, "GL_ARB_draw_buffers_blend", 32,
-                                    "GL_OES_draw_buffers_indexed"};
-    features->es = !epoxy_is_desktop_gl();
-    features->viewport_array = has_either(
-        features, (struct origin){41, "GL_ARB_viewport_array", NEVER, "GL_OES_viewport_array"},
-        "GL_NV_viewport_array");
-    features->clip_control =
-        has(features, (struct origin){45, "GL_ARB_clip_control", NEVER, "GL_EXT_clip_control"});
-    features->blend_per_buffer = has_either(features, blending, "GL_EXT_draw_buffers_indexed");
-    features->mask_per_buffer = !features->es || features->blend_per_buffer;
-    features->transform_feedback =
-        has(features, (struct origin){40, "GL_ARB_transform_feedback2", 30, NULL});
-    features->polygon_mode = has(features, (struct origin)DESKTOP("GL_NV_polygon_mode"));
-    features->float_targets =
-        has(features, (struct origin){33, NULL, 32, "GL_EXT_color_buffer_float"});
-    features->half_float_targets =
-        features->float_targets || epoxy_has_gl_extension("GL_EXT_color_buffer_half_float");
-    features->float_filter = has(features, (struct origin)DESKTOP("GL_OES_texture_float_linear"));
-    features->float_blend = has(features, (struct origin)DESKTOP("GL_EXT_float_blend"));
-    features->srgb_always = features->es && !epoxy_has_gl_extension("GL_EXT_sRGB_write_control");
-    features->texture_sizes = has(features, (struct origin){33, NULL, 31, NULL});
-    features->texture_units = 2;
-    features->texture_arrays = false;
-    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &features->draw_buffers);
-    if (features->draw_buffers > HOST_DRAW_BUFFERS_MAX)
-        features->draw_buffers = HOST_DRAW_BUFFERS_MAX;
     for (int i = 0; i < CAPABILITY_COUNT; i++)
-        features->capabilities[i] = has(features, capabilities[i].origin);
-    host_debug_find(features);
+        features->capabilities[i] = host_has(features, capabilities[i].origin);
 }
 
 static void set_capability(GLenum name, GLboolean on)

@@ -95,9 +95,6 @@ struct host_state {
 /* Slow: once per context. Two texture units are used. */
 void host_features_find(struct host_features *features);
 
-/* That part of host_features_find that is about debugging and robustness. */
-void host_debug_find(struct host_features *features);
-
 void host_target_save(struct host_target *target);
 void host_target_restore(const struct host_target *target, const struct host_features *features);
 
