@@ -1,6 +1,6 @@
 /*
  * Frames that leave the host's state: the pictures are those of frames that keep it, whatever state
- * the host was in before each call.
+ * the host was in before each call. Warps of every source and overlays that keep it do keep it.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,7 +74,7 @@ static void draw_view(const struct cupola_gl_view *view, int index)
 }
 
 /* A frame, each call of it in the same bad state; its pictures after every warp, in a row. */
-static float *frame(int which)
+static float *frame(int which, bool kept)
 {
     enum { PICTURE = 4 * GUEST_SIZE * GUEST_SIZE, PICTURES = GUEST_PICTURES + 2 };
     const struct cupola_frame wished = {.clear_color = {0.9f, 0.2f, 0.1f, 0.6f}};
@@ -92,10 +92,15 @@ static float *frame(int which)
         state_reset();
     }
     for (int i = -1; i <= GUEST_PICTURES; i++) {
+        struct snapshot before, after;
         be_hostile(which);
+        snapshot_take(&before);
         check_ok(i < GUEST_PICTURES ? guest_warp(&house, i, &error)
                                     : guest_overlays(&house, &error),
                  "warp or overlay", &error);
+        snapshot_take(&after);
+        if (kept)
+            assert_int_equal(snapshot_differences(&before, &after, true, "warp or overlay"), 0);
         state_reset();
         float *picture = guest_picture(&house);
         memcpy(pictures + (i + 1) * PICTURE, picture, PICTURE * sizeof *picture);
@@ -112,12 +117,17 @@ static void check_pictures(const struct cupola_gl_params *params, const char *na
     int tried = 0;
     state_reset();
     check_ok(guest_gl_create(&house, &wished, &error), "create", &error);
-    float *kept = frame(-1);
+    float *kept = frame(-1, true);
+    for (int which = 0; which <= HOSTILITIES; which++) {
+        float *again = frame(which, true);
+        assert_memory_equal(again, kept, FLOATS * sizeof *again);
+        free(again);
+    }
     cupola_gl_destroy(&house.gl);
     wished.leaves_state = true;
     check_ok(guest_gl_create(&house, &wished, &error), "create", &error);
     for (int which = -1; which <= HOSTILITIES; which++) {
-        float *left = frame(which);
+        float *left = frame(which, false);
         tried++;
         if (memcmp(left, kept, FLOATS * sizeof *left) != 0)
             fail_msg("%s: other pictures after '%s'", name,
