@@ -1,7 +1,7 @@
 /*
  * Light that is added up by blending before it is encoded: sums of codes are not codes of sums. A
- * texture of half floats; where OpenGL ES cannot draw into such, one of sRGB, in which the GL itself
- * blends linear light, to half a step of 8 bits for each addition.
+ * texture of half floats; where OpenGL ES cannot draw into such, one of sRGB, in which the GL
+ * itself blends linear light, to half a step of 8 bits for each addition.
  */
 #ifndef LIGHT_SUM_H
 #define LIGHT_SUM_H

@@ -2,7 +2,7 @@
 #include "error.h"
 #include "instance.h"
 
-/* The attachment that draw buffer 0 of the framebuffer that is bound draws into; GL_NONE for none. */
+/* What draw buffer 0 of the framebuffer that is bound draws into; GL_NONE for nothing. */
 static GLenum first_attachment(void)
 {
     GLint buffer = GL_NONE;

@@ -280,7 +280,6 @@ static void look_round(const struct tracer *tracer, const struct vector corners[
     for (int t = 0; t < tracer->triangle_count && near->count < NEAR_MAX; t++) {
         const struct seen_triangle *triangle = &tracer->triangles[t];
         int met;
-
         if (distance(triangle->middle, middle) > triangle->reach + reach)
             continue;
         met = meeting(triangle, corners);
@@ -330,12 +329,10 @@ static void filter(const struct tracer *tracer, const struct neighbourhood *near
         double tent_x = (1 - fabs(x)) * step, tent_y = (1 - fabs(y)) * step;
         const double *colour;
         struct vector ray;
-
         tracer_ray(tracer, x_px + x, y_px + y, &ray);
         colour = shoot(near, ray);
         for (int c = 0; colour && c < 3; c++) {
             double light = light_decoded(colour[c]);
-
             expectation->mean[c] += tent_x * tent_y * light;
             expectation->right[c] += copysign(step, x) * tent_y * light;
             expectation->up[c] += copysign(step, y) * tent_x * light;
@@ -369,13 +366,11 @@ void tracer_expect(const struct tracer *tracer, int i, int j, struct expectation
     double x_px = i + 0.5, y_px = j + 0.5, share = coverage(theatre, i, j);
     double outermost_px = hypot(fabs(x_px - theatre->circle_x_px) + REACH_PX,
                                 fabs(y_px - theatre->circle_y_px) + REACH_PX);
-    /* Of the light, by which the demo's coverage may differ: a rim is no straight line. */
-    const double slack = share < 1 ? 1 / 255.0 : 0;
+    double slack = share < 1 ? 1 / 255.0 : 0; /* a rim is no straight line */
     double least = fmax(share - slack, 0), most = fmin(share + slack, 1);
     struct neighbourhood near;
     struct vector corners[4];
     int on_screen = 0;
-
     memset(expectation, 0, sizeof *expectation);
     if (share == 0 && hypot(x_px - theatre->circle_x_px, y_px - theatre->circle_y_px) >
                           theatre->circle_radius_px + 1)

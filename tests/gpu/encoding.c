@@ -13,7 +13,7 @@
 
 enum { PIXELS = LIGHT_WIDTH * LIGHT_HEIGHT };
 
-/* Rounding of floats, and of 8 bits by half a step; a GL that encodes by itself may err by a whole. */
+/* Rounding of floats, and of 8 bits by half a step; by a whole where the GL itself encodes. */
 static const double bar_float = 1e-5, bar_bytes = 0.55 / 255.0, bar_always = 1.05 / 255.0;
 
 static float *shown(enum light_kind kind, enum cupola_encoding encoding, GLenum format,

@@ -108,8 +108,8 @@ static bool gl_always_encodes(void)
 }
 
 /*
- * A step: half of it is rounding; llvmpipe decodes sRGB texels within 1e-3. Where the sum itself has
- * 8 bits, half a step more for each projector.
+ * A step: half of it is rounding; llvmpipe decodes sRGB texels within 1e-3. Where the sum itself
+ * has 8 bits, half a step more for each projector.
  */
 static double bar_of(int projectors)
 {
