@@ -156,6 +156,28 @@ static double middle_of(const char *path)
 
 #define SEQUENCE "--size 8x8 --show frame-%04d.pfm --as domemaster "
 
+/* Black and white by turns, finer than the image's pixels. */
+static void squares(double u, double v, float rgb[3])
+{
+    rgb[0] = rgb[1] = rgb[2] = ((int)(u * SIDE) + (int)(v * SIDE)) % 2 ? 1.0f : 0.0f;
+}
+
+/* Half of white is 188 of 255 where bytes are colours, and the mean of floats, which are numbers. */
+static void colours_are_mixed_in_linear_light(void **state)
+{
+    float *rgba = NULL;
+    int width, height;
+    (void)state;
+    write_picture("squares.pfm", SIDE, SIDE, squares);
+    assert_true(cupola_pfm_read("squares.pfm", &rgba, &width, &height, NULL) >= 0);
+    assert_true(cupola_png_write("squares.png", rgba, width, height, NULL) >= 0);
+    cupola_image_free(&rgba);
+    demo_run(&process, "--size 8x8 --show squares.png --as domemaster --output half.pfm");
+    check_near(middle_of("half.pfm"), 188 / 255.0, 1.5 / 255.0);
+    demo_run(&process, "--size 8x8 --show squares.pfm --as domemaster --output half.pfm");
+    check_near(middle_of("half.pfm"), 0.5, 1e-3);
+}
+
 /* The numbers are those of the pictures; without --frames all of them are shown. */
 static void every_picture_of_a_sequence_becomes_a_file(void **state)
 {
@@ -299,6 +321,7 @@ int main(void)
         cmocka_unit_test(a_domemaster_comes_out_as_it_was_made),
         cmocka_unit_test(an_equirectangular_picture_is_the_world_that_the_viewer_sees),
         cmocka_unit_test(six_views_of_a_room_are_a_cube),
+        cmocka_unit_test(colours_are_mixed_in_linear_light),
         cmocka_unit_test(every_picture_of_a_sequence_becomes_a_file),
         cmocka_unit_test(a_sequence_ends_at_a_wrong_picture),
         cmocka_unit_test(a_sequence_never_overwrites_its_pictures),
