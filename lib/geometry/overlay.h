@@ -1,6 +1,6 @@
 /*
- * Overlays: from a ray of the viewer's to a place in a flat picture that faces the eye, and how much
- * of a pixel it covers there. shaders/overlay.glsl says the same under the same names.
+ * Overlays: from a ray of the viewer's to a place in a flat picture that faces the eye, and how
+ * much of a pixel it covers there. shaders/overlay.glsl says the same under the same names.
  */
 #ifndef OVERLAY_PRIVATE_H
 #define OVERLAY_PRIVATE_H
@@ -45,9 +45,9 @@ void overlay_frame_prepare(const struct cupola_overlay *overlay, double aspect,
 void overlay_color(const struct cupola_overlay *overlay, float premultiplied[4]);
 
 /*
- * A ray in the overlay's frame with x and y in parts of its halves, so that it ends where the larger
- * of |x| and |y| is z. Linear in the ray (host's camera frame, any length): edges keep their place
- * and their gradient wherever the plane is, even at its horizon.
+ * A ray in the overlay's frame with x and y in parts of its halves, so that it ends where the
+ * larger of |x| and |y| is z. Linear in the ray (host's camera frame, any length): edges keep their
+ * place and their gradient wherever the plane is, even at its horizon.
  */
 void overlay_direction(const struct overlay_frame *frame, const struct varying *ray,
                        struct varying *direction);

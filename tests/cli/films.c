@@ -162,7 +162,7 @@ static void squares(double u, double v, float rgb[3])
     rgb[0] = rgb[1] = rgb[2] = ((int)(u * SIDE) + (int)(v * SIDE)) % 2 ? 1.0f : 0.0f;
 }
 
-/* Half of white is 188 of 255 where bytes are colours, and the mean of floats, which are numbers. */
+/* Half of white is 188 of 255 where bytes are colours, and the mean of floats, which are not. */
 static void colours_are_mixed_in_linear_light(void **state)
 {
     float *rgba = NULL;

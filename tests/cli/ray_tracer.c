@@ -314,7 +314,10 @@ static const double *shoot(const struct neighbourhood *near, struct vector ray)
     return colour;
 }
 
-/* In linear light. Bilinear filtering is, on the average over where the texels lie, a tent of a texel's width. */
+/*
+ * In linear light. Bilinear filtering is, on the average over where the texels lie, a tent of a
+ * texel's width.
+ */
 static void filter(const struct tracer *tracer, const struct neighbourhood *near, double x_px,
                    double y_px, struct expectation *expectation)
 {

@@ -15,6 +15,7 @@
 #include <stdlib.h>
 
 #include "cases.h"
+#include "context.h"
 #include "direction_error.h"
 #include "group.h"
 #include "rig_random.h"
@@ -27,7 +28,11 @@ struct worst {
     double deg, px, border_ratio;
     long pixels;
     int failures;
+    int visited;
 };
+
+/* The geometry is the same in both: OpenGL ES sees every third theatre. */
+enum { ES_STRIDE = 3 };
 
 static void judge(const struct theatre_case *theatre, int output,
                   const struct direction_error *error, struct worst *worst)
@@ -50,15 +55,18 @@ static void judge(const struct theatre_case *theatre, int output,
 
 static void visit_directions(const struct theatre_case *theatre, cupola_plan *plan, void *user)
 {
+    struct worst *worst = user;
     struct fixture fixture;
     struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F, .table = theatre->stage};
+    if (worst->visited++ % (context_is_es() ? ES_STRIDE : 1) != 0)
+        return;
     fixture_make_of_plan(plan, &params, &fixture);
     fixture_paint(&fixture, PAINT_DIRECTIONS);
     for (int output = 0; output < theatre->rig.output_count; output++) {
         float *image = fixture_warp(&fixture, output);
         struct direction_error error = direction_error_of(&fixture, output, image, fixture.dome);
         free(image);
-        judge(theatre, output, &error, user);
+        judge(theatre, output, &error, worst);
     }
     fixture_release(&fixture);
 }

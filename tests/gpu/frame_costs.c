@@ -2,8 +2,8 @@
  * What a frame costs besides drawing: no memory, no GL object, no shader; and, where the host's
  * state is left, no question to the GL.
  *
- * The linker puts the functions below in the place of those that the library's objects call (--wrap,
- * see meson.build): what the GL allocates for itself is not seen.
+ * The linker puts the functions below in the place of those that the library's objects call
+ * (--wrap, see meson.build): what the GL allocates for itself is not seen.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -29,8 +29,8 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
                     struct cupola_error *error);
 
 /*
- * One frame: the views, drawn by clears, then each source warped over the one before, then overlays. With a status
- * below 0 it ends, and that is what it returns.
+ * One frame: the views, drawn by clears, then each source warped over the one before, then
+ * overlays. With a status below 0 it ends, and that is what it returns.
  */
 int guest_frame(struct guest_house *house, struct cupola_error *error);
 int guest_views(struct guest_house *house, struct cupola_error *error);

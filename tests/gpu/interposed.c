@@ -24,7 +24,8 @@ static bool fails(GLenum error)
 
 /*
  * The first call of a function lets libepoxy find it and write the pointer anew: so the hook is
- * taken away before each and put back after it. Names go without their "gl", which would be macros of libepoxy's.
+ * taken away before each and put back after it. Names go without their "gl", which would be macros
+ * of libepoxy's.
  */
 #define HOOK(name)                                                                                 \
     do {                                                                                           \

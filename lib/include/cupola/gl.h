@@ -70,8 +70,8 @@ enum cupola_depth_format {
 /* Where the views are. */
 enum cupola_storage {
     CUPOLA_STORAGE_ATLAS = 0, /* rectangles of one texture that Cupola makes */
-    CUPOLA_STORAGE_TEXTURES, /* the host's: a GL_TEXTURE_2D for each view, or the same for several */
-    CUPOLA_STORAGE_LAYERS,   /* the host's: layers of one GL_TEXTURE_2D_ARRAY */
+    CUPOLA_STORAGE_TEXTURES,  /* the host's: a GL_TEXTURE_2D for each view, or one for several */
+    CUPOLA_STORAGE_LAYERS,    /* the host's: layers of one GL_TEXTURE_2D_ARRAY */
 };
 
 /*

@@ -41,8 +41,8 @@ enum cupola_log_id {
 /* Who is told. All zero: nobody. */
 struct cupola_log {
     /*
-     * Called on the thread of the call that it is about, while GL state may be Cupola's own: it must
-     * make no GL call and none of Cupola's.
+     * Called on the thread of the call that it is about, while GL state may be Cupola's own: it
+     * must make no GL call and none of Cupola's.
      *
      * level    of enum cupola_log_level
      * id       of enum cupola_log_id

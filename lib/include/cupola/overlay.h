@@ -39,8 +39,8 @@ struct cupola_overlay {
      * towards +Y of the host's camera frame, and where the direction is straight up or down, as if
      * the viewer had raised or lowered the head from straight ahead. */
     double roll_rad;
-    /* A GL_TEXTURE_2D, its first row the lower edge, colour times alpha (premultiplied), filtered by
-     * a sampler object of Cupola's. Not asked of the other kinds. */
+    /* A GL_TEXTURE_2D, its first row the lower edge, colour times alpha (premultiplied), filtered
+     * by a sampler object of Cupola's. Not asked of the other kinds. */
     unsigned int texture;
     bool mipmaps; /* the texture has all its levels */
     float
@@ -60,8 +60,8 @@ struct cupola_overlay {
  * error     may be NULL
  * returns   CUPOLA_OK
  *           CUPOLA_ERROR_ARGUMENT if gl, or overlays with a count above 0, is NULL, gl was made
- *           without overlays, there is no such output, a field is outside of its range, or a texture
- *           is no GL_TEXTURE_2D or a colour of the target
+ *           without overlays, there is no such output, a field is outside of its range, or a
+ *           texture is no GL_TEXTURE_2D or a colour of the target
  *           CUPOLA_ERROR_ORDER inside a view
  *           CUPOLA_ERROR_CONTEXT, CUPOLA_ERROR_LOST
  *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
