@@ -3,8 +3,10 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
+#include "file_clash.h"
 #include "file_pattern.h"
 #include "output_file.h"
 #include "short_path.h"
@@ -34,6 +36,11 @@ bool film_output_check_options(const struct options *options, char *message)
             problem = "has a number, but --show names no sequence; allowed: a name without %";
         else if (options->stats)
             problem = "has a number, and --stats wants one file only; allowed: one of them";
+        else if (strstr(options->output, "%s"))
+            problem = "has %s; allowed: a name with %05d or the like alone";
+    } else if (options->output && strchr(options->output, '%')) {
+        problem = "has a % that begins no number; allowed: a name without %, or with %05d or the "
+                  "like for a sequence";
     } else if (options->show && file_pattern_has_number(options->show) && options->frames > 1 &&
                !options->stats) {
         problem = "is one file for many frames; allowed: a name with %05d or the like, or no "
@@ -86,40 +93,63 @@ static bool identify(const struct film *film, struct identities *identities)
     return true;
 }
 
-static bool check_file(const char *path, const struct identities *pictures, char *message)
+static bool check_own(const char *option, const char *path, const struct identities *pictures,
+                      char *message)
 {
     struct stat file;
 
-    if (!output_file_check("--output", path, message))
-        return false;
-    if (stat(path, &file) != 0)
+    if (!path || stat(path, &file) != 0)
         return true;
     const struct identity wanted = {file.st_dev, file.st_ino};
     if (!bsearch(&wanted, pictures->sorted, pictures->count, sizeof wanted, compare))
         return true;
     snprintf(message, MESSAGE_SIZE,
-             "--output: %s is a picture that --show names; allowed: files of their own",
+             "%s: %s is a picture that --show names; allowed: files of their own", option,
              short_path(path).text);
     return false;
 }
 
-bool film_output_check_files(const struct options *options, const struct film *film, char *message)
+/* Every file of a numbered --output. */
+static bool check_numbered(const struct options *options, const struct film *film,
+                           const struct identities *pictures, char *message)
 {
     long frames = film_output_frames(options, film);
-    struct identities pictures;
     char path[PATH_MAX];
-    bool good = identify(film, &pictures);
 
-    if (!good)
-        snprintf(message, MESSAGE_SIZE, "out of memory");
-    for (long index = 0; good && index < frames; index++) {
-        good = film_output_path(options, film, index, path);
-        if (!good)
+    for (long index = 0; index < frames; index++) {
+        if (!film_output_path(options, film, index, path)) {
             snprintf(message, MESSAGE_SIZE, "--output: '%s' makes too long a name",
                      short_path(options->output).text);
-        else
-            good = check_file(path, &pictures, message);
+            return false;
+        }
+        if (!output_file_check("--output", path, message) ||
+            !file_clash_check(options, path, message) ||
+            !check_own("--output", path, pictures, message))
+            return false;
     }
+    return true;
+}
+
+bool film_output_check_files(const struct options *options, const struct film *film,
+                             const char *picture, char *message)
+{
+    const char *save = options->save_rig;
+    struct identities pictures;
+    char backup[PATH_MAX];
+
+    if (!film)
+        return true;
+    if (!identify(film, &pictures)) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        return false;
+    }
+    bool has_backup = save && snprintf(backup, sizeof backup, "%s.bak", save) < PATH_MAX;
+    bool good =
+        check_own("--output", picture, &pictures, message) &&
+        check_own("--stats", options->stats, &pictures, message) &&
+        check_own("--save-rig", save, &pictures, message) &&
+        check_own("--save-rig", has_backup ? backup : NULL, &pictures, message) &&
+        (!film_output_is_numbered(options) || check_numbered(options, film, &pictures, message));
     free(pictures.sorted);
     return good;
 }

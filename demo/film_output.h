@@ -7,7 +7,7 @@
 /* Whether --output names one file for each picture of a sequence. */
 bool film_output_is_numbered(const struct options *options);
 
-/* False with one line in `message` where more frames than one would go to one file. */
+/* False with one line in `message` where --output is no name for what is drawn. */
 bool film_output_check_options(const struct options *options, char *message);
 
 /* How many files there will be: --frames, or as many as there are pictures. */
@@ -19,9 +19,11 @@ bool film_output_path(const struct options *options, const struct film *film, lo
                       char path[PATH_MAX]);
 
 /*
- * Before anything is drawn: whether all files can probably be written, and none is a picture of the
- * film itself. False with one line in `message`, MESSAGE_SIZE bytes.
+ * Before anything is drawn: whether all numbered files can probably be written, and no file that
+ * the options write is a picture of the film itself. `picture` is the file of a single image, NULL
+ * where there is none; so may `film` be. False with one line in `message`, MESSAGE_SIZE bytes.
  */
-bool film_output_check_files(const struct options *options, const struct film *film, char *message);
+bool film_output_check_files(const struct options *options, const struct film *film,
+                             const char *picture, char *message);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <stddef.h>
 
+#include "file_pattern.h"
+
 /* What is wrong with options about existing pictures taken together; NULL: nothing. */
 static const char *picture_contradiction(const struct options *o)
 {
@@ -22,6 +24,15 @@ static const char *picture_contradiction(const struct options *o)
                "allowed: the dome's image, or --preview";
     if (o->picture_fov_rad.given && o->show_as != CUPOLA_SOURCE_DOMEMASTER)
         return "--picture-fov belongs to --as domemaster only";
+    if (o->frame_rate.given && !file_pattern_has_number(o->show))
+        return "--frame-rate belongs to a sequence only; allowed: --show with %04d or the like in "
+               "the name";
+    if (o->views_given)
+        return "--layout, --views, --density, --view-size, --guard, --view-format, --msaa and "
+               "--depth belong to views, and --show has none; allowed: without them";
+    if (o->flat || o->camera.given || o->look.given || o->up.given)
+        return "--flat, --camera, --look and --up belong to a scene, and --show has none; allowed: "
+               "--picture-aim turns a picture";
     return NULL;
 }
 

@@ -203,6 +203,7 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
     int index;
     double wished;
 
+    o->views_given |= code != OPTION_TABLE;
     switch (code) {
     case OPTION_LAYOUT:
         if (!value_name(c, text, cupola_layout_name, &index))

@@ -71,6 +71,7 @@ struct options {
     struct optional aim_rad;
     struct optional radius_m;
 
+    bool views_given; /* any of the options about views */
     struct cupola_plan_params plan;
     enum cupola_table table;
     int view_format; /* -1: not given; else of enum cupola_format */

@@ -41,9 +41,11 @@ static const char picture_text[] =
 static const char mark_text[] =
     "\nOver the dome's image (32 of them at most)\n"
     "  --label TEXT@YAW,PITCH[,HEIGHT]\n"
-    "                         text, upright as the viewer sees it; degrees, of the camera: to the\n"
-    "                         left and up; height above 0 and up to 90, default 4\n"
-    "  --cursor YAW,PITCH     the ring that a mouse has in a window\n";
+    "                         text of 1 to 100 characters, upright as the viewer sees it; "
+    "degrees,\n"
+    "                         of the camera: to the left and up, -360 to 360; height of a line\n"
+    "                         above 0 and up to 90, default 4\n"
+    "  --cursor YAW,PITCH     the ring that a mouse has in a window; likewise\n";
 
 static const char rig_text[] =
     "\nRig (options override the rig file, which overrides the preset)\n"
@@ -95,10 +97,9 @@ static const char show_text[] =
     "\nWhere\n"
     "  --headless             no window\n"
     "  --frames N             draws N frames and ends\n"
-    "  --output FILE          FILE.png or FILE.pfm (floats); no window; with %05d or the like in "
-    "the\n"
-    "                         name, a file for each picture of a sequence, of the same number, or\n"
-    "                         for each of --frames\n"
+    "  --output FILE          FILE.png or FILE.pfm (floats); no window; of a sequence with %05d\n"
+    "                         or the like in the name: a file for each picture, of the same\n"
+    "                         number; --frames then says how many\n"
     "  --stats FILE.json|-    measured times as JSON, to stdout for -; 10 frames without "
     "--frames;\n"
     "                         one frame more is drawn first and not counted; tables_ms is the "

@@ -164,8 +164,8 @@ int still_run(const struct options *options, const struct show_setup *setup, cha
     if (!still.numbered && !output_file_check("--output", path, message))
         return STATUS_FAILED;
     status = create(&still, options, setup, news, message);
-    if (status == STATUS_OK && still.numbered &&
-        !film_output_check_files(options, still.world.film, message))
+    if (status == STATUS_OK &&
+        !film_output_check_files(options, still.world.film, still.numbered ? NULL : path, message))
         status = STATUS_FAILED;
     if (status == STATUS_OK &&
         !(draw(&still, options, message) && write_files(&still, options, path, message)))

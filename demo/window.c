@@ -9,6 +9,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "film_output.h"
 #include "stats.h"
 #include "window_state.h"
 
@@ -156,6 +157,8 @@ static int create(struct window *window, const struct options *options, FILE *ne
     status = world_create(&window->world, options, &window->setup.rig, news, message);
     if (status != STATUS_OK)
         return status;
+    if (!film_output_check_files(options, window->world.film, NULL, message))
+        return STATUS_FAILED;
     window->setup.floats |= window->world.scene->needs_float;
     window->setup.overlays = true; /* the mouse's cursor */
     if (!marks_create(&window->marks, options->marks, options->mark_count, message))

@@ -164,8 +164,11 @@ void window_save_picture(struct window *window)
         snprintf(name, sizeof name, "cupola-%04d.png", i);
         if (access(name, F_OK) != 0)
             break;
+        name[0] = 0;
     }
-    if (output_file_capture(name, 0, window->width, window->height, message))
+    if (!name[0])
+        snprintf(message, sizeof message, "cupola-0001.png to cupola-9999.png are all there");
+    else if (output_file_capture(name, 0, window->width, window->height, message))
         snprintf(message, sizeof message, "saved %s", name);
     window_notice(window, message);
 }

@@ -235,6 +235,52 @@ static void a_sequence_never_overwrites_its_pictures(void **state)
     assert_int_equal(unlink("link-2.pfm"), 0);
 }
 
+/* By any option and any name: a link is the file that it leads to. */
+static void no_picture_is_overwritten(void **state)
+{
+    static const char *const commands[] = {
+        SEQUENCE "--output frame-0001.pfm",
+        SEQUENCE "--output ./frame-0002.pfm",
+        SEQUENCE "--output soft.pfm",
+        SEQUENCE "--output hard.pfm",
+        SEQUENCE "--output new.pfm --stats frame-0002.pfm",
+        SEQUENCE "--output new.pfm --save-rig frame-0002.pfm",
+        SEQUENCE "--output new.pfm --save-rig frame-0003.pfm", /* and its .bak */
+        SEQUENCE "--output new-%d.pfm --save-rig hard.pfm",
+        "--size 8x8 --show wall-%s.pfm --as cube --output wall-posz.pfm",
+        "--size 8x8 --show wall-%s.pfm --as cube --stats wall-negy.pfm",
+        "--size 8x8 --show frame-0001.pfm --as domemaster --output soft.pfm",
+        SEQUENCE "--rig rig-2.pfm --output rig-%d.pfm",
+        SEQUENCE "--stats - --output frame-0001.pfm",
+    };
+    static const char *const faces[] = {"posx", "negx", "posy", "negy", "posz", "negz"};
+    char name[300];
+    (void)state;
+    write_picture("frame-0001.pfm", 4, 4, grey);
+    write_picture("frame-0002.pfm", 4, 4, white);
+    for (int i = 0; i < 6; i++) {
+        snprintf(name, sizeof name, "wall-%s.pfm", faces[i]);
+        write_picture(name, 4, 4, grey);
+    }
+    assert_int_equal(symlink("frame-0001.pfm", "soft.pfm"), 0);
+    assert_int_equal(link("frame-0002.pfm", "hard.pfm"), 0);
+    assert_int_equal(symlink("frame-0001.pfm", "frame-0003.pfm.bak"), 0);
+    process_write_file("rig-2.pfm", "tilt_deg = 0.0;");
+    int files = process_count_files();
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+        snprintf(name, sizeof name, "--headless %s", commands[i]);
+        process_run(&process, name, NULL);
+        if (process.status == 0 || !strstr(process.err, "of their own"))
+            fail_msg("'%s' ends with %d: %s", name, process.status, process.err);
+        assert_int_equal(process_count_files(), files);
+        check_near(middle_of("frame-0001.pfm"), 0.5, 0.0);
+        check_near(middle_of("frame-0002.pfm"), 1.0, 0.0);
+        check_near(middle_of("wall-posz.pfm"), 0.5, 0.0);
+        check_near(middle_of("wall-negy.pfm"), 0.5, 0.0);
+    }
+    assert_int_equal(unlink("soft.pfm") | unlink("hard.pfm") | unlink("frame-0003.pfm.bak"), 0);
+}
+
 struct wrong {
     const char *command;
     int status;
@@ -280,6 +326,20 @@ static void wrong_pictures_are_one_line(void **state)
         {"--show odd-%d.pfm --as domemaster --frames 2 --output x.png", USAGE, "'x.png'", "%05d"},
         {"--show square.pfm --as domemaster --output x-%d.png", USAGE, "'x-%d.png'", "without %"},
         {"--output x-%d.png", USAGE, "'x-%d.png'", "without %"},
+        {"--output o-%s.png", USAGE, "'o-%s.png'", "without %, or with %05d"},
+        {"--output o-%99d.png", USAGE, "'o-%99d.png'", "without %, or with %05d"},
+        {"--output o-%5.3d.png", USAGE, "'o-%5.3d.png'", "without %, or with %05d"},
+        {"--output o-%-5d.png", USAGE, "'o-%-5d.png'", "without %, or with %05d"},
+        {"--output o%%.png", USAGE, "'o%%.png'", "without %, or with %05d"},
+        {"--show odd-%d.pfm --as domemaster --output o-%s%d.png", USAGE, "%s", "%05d"},
+        {"--show a.png --as cube --msaa 4", USAGE, "--msaa", "allowed"},
+        {"--show a.png --as cube --view-format srgb8", USAGE, "--view-format", "allowed"},
+        {"--show a.png --as cube --depth forward", USAGE, "--depth", "allowed"},
+        {"--show a.png --as cube --views auto", USAGE, "--views", "allowed"},
+        {"--show a.png --as cube --density 2", USAGE, "--density", "allowed"},
+        {"--show a.png --as domemaster --frame-rate 25", USAGE, "--frame-rate", "%04d"},
+        {"--show a.png --as domemaster --look 1,0,0", USAGE, "--look", "--picture-aim"},
+        {"--show a.png --as domemaster --flat", USAGE, "--flat", "allowed"},
         {"--show odd-%d.pfm --as domemaster --stats - --output x-%d.png", USAGE, "--stats",
          "one of them"},
         {"--show odd-%d.pfm --as domemaster --output no/x-%d.png", FAILED, "no/x-0.png",
@@ -325,6 +385,7 @@ int main(void)
         cmocka_unit_test(every_picture_of_a_sequence_becomes_a_file),
         cmocka_unit_test(a_sequence_ends_at_a_wrong_picture),
         cmocka_unit_test(a_sequence_never_overwrites_its_pictures),
+        cmocka_unit_test(no_picture_is_overwritten),
         cmocka_unit_test(wrong_pictures_are_one_line),
     };
     return cmocka_run_group_tests_name("films", tests, process_enter_directory,
