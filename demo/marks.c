@@ -29,12 +29,23 @@ static bool value_place(const struct value_context *context, const char *text, c
     return true;
 }
 
+/* Of UTF-8: bytes from 0x80 to 0xBF go on with a character. */
+static int count_characters(const char *text, size_t length)
+{
+    int count = 0;
+
+    for (size_t i = 0; i < length; i++)
+        count += ((unsigned char)text[i] >> 6) != 2;
+    return count;
+}
+
 bool value_label(const struct value_context *context, const char *text, struct mark *mark)
 {
     const char *at = strrchr(text, '@');
     size_t length = at ? (size_t)(at - text) : 0;
+    int characters = count_characters(text, length);
 
-    if (length < 1 || length > MARK_TEXT_MAX) {
+    if (characters < 1 || characters > MARK_TEXT_MAX || length > MARK_BYTES_MAX) {
         snprintf(context->message, MESSAGE_SIZE,
                  "%s: '%.200s' is not allowed; allowed: TEXT@YAW,PITCH[,HEIGHT] with a TEXT of 1 "
                  "to %d characters",

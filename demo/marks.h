@@ -6,12 +6,12 @@
 
 #include "option_values.h"
 
-enum { MARKS_MAX = 32, MARK_TEXT_MAX = 100 };
+enum { MARKS_MAX = 32, MARK_TEXT_MAX = 100, MARK_BYTES_MAX = 4 * MARK_TEXT_MAX };
 
 /* One of them, as typed. */
 struct mark {
-    char text[MARK_TEXT_MAX + 1]; /* empty: a cursor */
-    double yaw_rad, pitch_rad;    /* of the host's camera: to the left, up */
+    char text[MARK_BYTES_MAX + 1]; /* UTF-8; empty: a cursor */
+    double yaw_rad, pitch_rad;     /* of the host's camera: to the left, up */
     double height_rad;
 };
 

@@ -13,8 +13,12 @@
 #include <stb_easy_font.h>
 #pragma GCC diagnostic pop
 
+/* Units. Letters are 2 apart: half of that stands before the first and after the last. */
 enum {
     LINE_HEIGHT = 12,
+    GAP_LEFT = 1,
+    GAP_ABOVE = 2,    /* as much as descenders take below capitals, so that capitals are centred */
+    PICTURE_LESS = 1, /* the picture's height, less than its lines' */
     SCALE_MAX = 64,
     SIDE_MAX = 16384,
     QUADS_MAX = 64, /* of a letter; most have fewer than 20 */
@@ -28,15 +32,37 @@ struct corner {
 
 _Static_assert(sizeof(struct corner) == 16, "as stb_easy_font writes it");
 
-/* What a character is drawn as. */
-static char letter_of(char c)
+/* How many bytes follow the first one of a character in UTF-8. */
+static int following(unsigned char first)
 {
-    return c >= ' ' && c <= '~' ? c : '?';
+    if (first < 0xc2 || first > 0xf4)
+        return 0;
+    return first < 0xe0 ? 1 : (first < 0xf0 ? 2 : 3);
 }
 
-static int advance_of(char c)
+/* What the next character is drawn as; `text` goes on behind it. */
+static char next_letter(const char **text)
 {
-    return stb_easy_font_charinfo[letter_of(c) - ' '].advance & 15;
+    char c = *(*text)++;
+
+    for (int left = following((unsigned char)c); left > 0 && ((unsigned char)**text >> 6) == 2;
+         left--)
+        (*text)++;
+    return (c >= ' ' && c <= '~') || c == '\n' ? c : '?';
+}
+
+static int advance_of(char letter)
+{
+    return stb_easy_font_charinfo[letter - ' '].advance & 15;
+}
+
+static size_t count_letters(const char *text)
+{
+    size_t count = 0;
+
+    for (; *text; count++)
+        next_letter(&text);
+    return count;
 }
 
 /* Units; false as soon as one of them is more than `most`. A last '\n' begins no further line. */
@@ -44,11 +70,12 @@ static bool measure(const char *text, int most, int *width, int *height)
 {
     int across = 0;
     *width = 1;
-    *height = LINE_HEIGHT;
-    for (; *text; text++) {
-        if (*text != '\n') {
-            across += advance_of(*text);
-        } else if (text[1]) {
+    *height = LINE_HEIGHT - PICTURE_LESS;
+    while (*text) {
+        char letter = next_letter(&text);
+        if (letter != '\n') {
+            across += advance_of(letter);
+        } else if (*text) {
             across = 0;
             *height += LINE_HEIGHT;
         }
@@ -78,7 +105,7 @@ int cupola_text_size(const char *text, int scale, int *width, int *height,
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "text of %zu characters is too large for a picture at scale %d; allowed: "
                          "up to %d texels each way",
-                         strlen(text), scale, (int)SIDE_MAX);
+                         count_letters(text), scale, (int)SIDE_MAX);
     *width = units[0] * scale;
     *height = units[1] * scale;
     return CUPOLA_OK;
@@ -112,7 +139,7 @@ static void draw_letter(char letter, int x, int y, int scale, unsigned char *rgb
 int cupola_text_draw(const char *text, int scale, unsigned char *rgba, int width, int height,
                      struct cupola_error *error)
 {
-    int size[2], x = 0, y = 0;
+    int size[2], x = GAP_LEFT, y = GAP_ABOVE;
     int status = cupola_text_size(text, scale, &size[0], &size[1], error);
     if (status != CUPOLA_OK)
         return status;
@@ -124,14 +151,15 @@ int cupola_text_draw(const char *text, int scale, unsigned char *rgba, int width
                          "cupola_text_size says",
                          width, height, size[0], size[1]);
     memset(rgba, 0, 4 * (size_t)width * (size_t)height);
-    for (; *text; text++) {
-        if (*text == '\n') {
-            x = 0;
+    while (*text) {
+        char letter = next_letter(&text);
+        if (letter == '\n') {
+            x = GAP_LEFT;
             y += LINE_HEIGHT;
             continue;
         }
-        draw_letter(letter_of(*text), x, y, scale, rgba, width, height);
-        x += advance_of(*text);
+        draw_letter(letter, x, y, scale, rgba, width, height);
+        x += advance_of(letter);
     }
     return CUPOLA_OK;
 }

@@ -64,12 +64,64 @@ static void a_cursor_stands_in_its_direction(void **state)
     check_place("--cursor -75,10", -75, 10, 0.5);
 }
 
-/* A letter is not as high as its line, nor in its middle. */
+/* The ink of capitals; an x is lower than they are. */
 static void a_label_stands_in_its_direction(void **state)
 {
     (void)state;
-    check_place("--label O@0,30,8", 0, 30, 4);
-    check_place("--label a@b@-120,20,10", -120, 20, 5);
+    check_place("--label H@0,30,8", 0, 30, 0.5);
+    check_place("--label H@-120,20,10", -120, 20, 0.5);
+    check_place("--label x@x@60,20,10", 60, 20, 3);
+}
+
+static struct picture seen(const char *mark)
+{
+    char command[300];
+
+    snprintf(command, sizeof command,
+             "--headless --preset visionstation --size 256x256 --preview eye %s", mark);
+    return demo_run_pfm(&process, command);
+}
+
+/* 60 degrees from bottom to top, straight ahead of the eye. */
+static void the_viewer_sees_a_label_where_it_was_asked_for(void **state)
+{
+    static const double pi = 3.14159265358979323846;
+    struct picture before = seen(""), with = seen("--label H@8,-5,10");
+    double across = 0, up = 0, count = 0, px = with.height / 2.0 / tan(pi / 6);
+
+    (void)state;
+    for (int j = 0; j < with.height; j++)
+        for (int i = 0; i < with.width; i++)
+            if (fabs((double)picture_pixel(&with, i, j)[1] -
+                     (double)picture_pixel(&before, i, j)[1]) > 0.02) {
+                across += i + 0.5;
+                up += j + 0.5;
+                count++;
+            }
+    check_at_least(count, 50);
+    double yaw = atan((with.width / 2.0 - across / count) / px);
+    double pitch = atan((up / count - with.height / 2.0) / px * cos(yaw));
+    printf("seen at %.2f, %.2f degrees\n", yaw * 180 / pi, pitch * 180 / pi);
+    check_near(yaw * 180 / pi, 8, 0.3);
+    check_near(pitch * 180 / pi, -5, 0.3);
+    cupola_image_free(&before.rgba);
+    cupola_image_free(&with.rgba);
+}
+
+/* 100 characters of two bytes each are allowed, 101 are not. */
+static void the_length_of_a_label_counts_characters(void **state)
+{
+    char command[400] = "--headless --preset domemaster --size 16x16 --output x.png --label ";
+    size_t start = strlen(command);
+
+    (void)state;
+    for (int count = 100; count <= 101; count++) {
+        for (int i = 0; i < count; i++)
+            memcpy(command + start + 2 * i, "\xc3\xa4", 2);
+        strcpy(command + start + 2 * count, "@0,30,1");
+        process_run(&process, command, NULL);
+        assert_int_equal(process.status, count == 100 ? 0 : 2);
+    }
 }
 
 static void labels_that_are_too_much_are_refused(void **state)
@@ -100,6 +152,10 @@ int main(void)
                                         process_leave_directory),
         cmocka_unit_test_setup_teardown(a_label_stands_in_its_direction, process_enter_directory,
                                         process_leave_directory),
+        cmocka_unit_test_setup_teardown(the_viewer_sees_a_label_where_it_was_asked_for,
+                                        process_enter_directory, process_leave_directory),
+        cmocka_unit_test_setup_teardown(the_length_of_a_label_counts_characters,
+                                        process_enter_directory, process_leave_directory),
         cmocka_unit_test_setup_teardown(labels_that_are_too_much_are_refused,
                                         process_enter_directory, process_leave_directory),
     };

@@ -38,10 +38,73 @@ static void letters_are_upright_and_not_mirrored(void **state)
 {
     (void)state;
     static const char *const rows[] = {
-        "####..#.....", "#.....#.....", "#.....#.....", "###...#.....",
-        "#.....#.....", "#.....#.....", "#.....####..",
+        "............", "............", ".####..#....", ".#.....#....",
+        ".#.....#....", ".###...#....", ".#.....#....", ".#.....#....",
+        ".#.....####.", "............", "............",
     };
-    check_rows("FL", rows, 7);
+    check_rows("FL", rows, 11);
+}
+
+/* The least and the greatest place of what is lit, along x and y. */
+static void find_ink(const char *text, int scale, int ink[4], int *width, int *height)
+{
+    unsigned char *rgba = drawn(text, scale, width, height);
+    ink[0] = ink[1] = 1 << 20;
+    ink[2] = ink[3] = -1;
+    for (int i = 0; i < *width * *height; i++) {
+        if (!rgba[4 * i])
+            continue;
+        int at[2] = {i % *width, i / *width};
+        for (int k = 0; k < 2; k++) {
+            ink[k] = at[k] < ink[k] ? at[k] : ink[k];
+            ink[2 + k] = at[k] > ink[2 + k] ? at[k] : ink[2 + k];
+        }
+    }
+    free(rgba);
+}
+
+static void capitals_are_in_the_middle(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"H", "W", "I", "North", "HH\nHI", "H\nM\nH"};
+    int ink[4], width, height;
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+        for (int scale = 1; scale <= 5; scale += 2) {
+            find_ink(texts[i], scale, ink, &width, &height);
+            assert_int_equal(ink[0], width - 1 - ink[2]);
+            assert_int_equal(ink[1], height - 1 - ink[3]);
+            assert_int_equal(ink[1], 2 * scale); /* the baseline */
+        }
+    find_ink("j", 3, ink, &width, &height);
+    assert_int_equal(ink[1], 0); /* and what is below it; so the middle can be missed */
+    assert_true(ink[1] != height - 1 - ink[3]);
+}
+
+static void a_character_of_many_bytes_is_one_question_mark(void **state)
+{
+    (void)state;
+    static const char *const pairs[][2] = {
+        {"\xc3\xa4", "?"},                          /* a umlaut */
+        {"N\xe2\x82\xacS", "N?S"},                  /* the euro */
+        {"\xf0\x9f\x8c\x8d\xf0\x9f\x8c\x8d", "??"}, /* two globes */
+        {"\xc3"
+         "A",
+         "?A"}, /* cut short */
+        {"\xe2\x82", "?"},
+        {"\x80\xbf", "??"}, /* no beginning */
+        {"\xc3\xa4\xa4", "??"},
+        {"\xff\x80", "??"},
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        int size[2][2];
+        unsigned char *rgba[2];
+        for (int k = 0; k < 2; k++)
+            rgba[k] = drawn(pairs[i][k], 2, &size[k][0], &size[k][1]);
+        assert_memory_equal(size[0], size[1], sizeof size[0]);
+        assert_memory_equal(rgba[0], rgba[1], 4 * (size_t)size[0][0] * (size_t)size[0][1]);
+        free(rgba[0]);
+        free(rgba[1]);
+    }
 }
 
 static void texels_are_white_or_clear(void **state)
@@ -49,7 +112,7 @@ static void texels_are_white_or_clear(void **state)
     (void)state;
     int width, height, lit = 0;
     unsigned char *rgba = drawn("North\nEast", 3, &width, &height);
-    assert_int_equal(height, 2 * 12 * 3);
+    assert_int_equal(height, (2 * 12 - 1) * 3);
     for (int i = 0; i < width * height; i++) {
         for (int c = 1; c < 4; c++)
             assert_int_equal(rgba[4 * i + c], rgba[4 * i]);
@@ -89,7 +152,7 @@ static void lines_are_ended_and_not_begun(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int width, height;
         free(drawn(cases[i].text, 1, &width, &height));
-        assert_int_equal(height, 12 * cases[i].lines);
+        assert_int_equal(height, 12 * cases[i].lines - 1);
         check_at_least(width, 1);
     }
 }
@@ -172,10 +235,10 @@ static void what_cannot_be_drawn_is_refused(void **state)
     free(longest);
     assert_int_equal(cupola_text_size("a", 1, NULL, &side, &error), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_text_size("a", 1, &side, NULL, &error), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_text_draw("a", 1, NULL, 6, 12, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_text_draw("a", 1, NULL, 6, 11, &error), CUPOLA_ERROR_ARGUMENT);
     assert_non_null(strstr(error.message, "rgba is NULL"));
     assert_int_equal(cupola_text_draw("a", 1, rgba, 1, 1, &error), CUPOLA_ERROR_ARGUMENT);
-    assert_non_null(strstr(error.message, "1 x 1 texels; allowed: 6 x 12"));
+    assert_non_null(strstr(error.message, "1 x 1 texels; allowed: 6 x 11"));
     assert_int_equal(rgba[0], 9);
 }
 
@@ -183,6 +246,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(letters_are_upright_and_not_mirrored),
+        cmocka_unit_test(capitals_are_in_the_middle),
+        cmocka_unit_test(a_character_of_many_bytes_is_one_question_mark),
         cmocka_unit_test(texels_are_white_or_clear),
         cmocka_unit_test(every_scale_is_the_same_picture),
         cmocka_unit_test(lines_are_ended_and_not_begun),

@@ -14,8 +14,10 @@ extern "C" {
 /*
  * The size of a text's picture: cupola_text_draw.
  *
- * text     lines are ended by '\n'; characters outside of printable ASCII become '?'
- * scale    texels per unit of the letters, 1 to 64; a line is 12 units high
+ * text     UTF-8; lines are ended by '\n'; each character outside of printable ASCII becomes '?',
+ *          and so does each byte that is no part of a character
+ * scale    texels per unit of the letters, 1 to 64: capitals are 7 units high, lines 12 apart; a
+ *          picture of N lines is 12 N - 1 units high
  * width    out, texels
  * height   out, texels
  * error    may be NULL
@@ -30,7 +32,10 @@ CUPOLA_API int cupola_text_size(const char *text, int scale, int *width, int *he
 
 /*
  * Draws text into a picture, for glTexImage2D and a picture's overlay: white letters on a clear
- * ground, premultiplied.
+ * ground, premultiplied. The capitals of a line are in the middle of their picture: its last
+ * baseline is 2 units above the lower edge, and the capitals of its first line end 2 units below
+ * the upper one. Across, there is 1 clear unit before the first letter and after the last one of
+ * the longest line; other lines begin below it, at the left.
  *
  * text     as for cupola_text_size
  * scale    likewise
