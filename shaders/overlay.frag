@@ -3,6 +3,7 @@
 uniform vec2 target_corner; // of the output's image in the target, px
 uniform vec4 overlay_color; // premultiplied, in linear light
 uniform sampler2D picture;  // of a picture, premultiplied
+uniform float half_max;     // of any overlay
 
 out vec4 color;
 
@@ -12,7 +13,7 @@ vec2 half_size()
     if (overlay_half.y > 0.0)
         return overlay_half;
     vec2 size = vec2(max(textureSize(picture, 0), 1));
-    return vec2(overlay_half.x, min(overlay_half.x * size.y / size.x, HALF_MAX));
+    return vec2(overlay_half.x, min(overlay_half.x * size.y / size.x, half_max));
 }
 
 void main()

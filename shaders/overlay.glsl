@@ -4,6 +4,8 @@
 uniform int overlay_kind;
 uniform mat3 overlay_axes;  // rows of the C: right, up, forward, in the host's camera frame
 uniform vec2 overlay_half;  // of its width and height on the plane z = 1
+uniform float ring_inner;   // of a cursor, in parts of its half width
+uniform float dot_radius;
 
 // A place in a picture, 0 to 1, and its derivatives per pixel.
 struct Place {
@@ -52,8 +54,8 @@ float round_coverage(Varying direction)
     float disc = ellipse_coverage(direction, 1.0);
     if (overlay_kind == KIND_DISC)
         return disc;
-    float hole = ellipse_coverage(direction, RING_INNER);
-    return min(max(disc - hole, 0.0) + ellipse_coverage(direction, DOT_RADIUS), 1.0);
+    float hole = ellipse_coverage(direction, ring_inner);
+    return min(max(disc - hole, 0.0) + ellipse_coverage(direction, dot_radius), 1.0);
 }
 
 float overlay_coverage(Varying direction)

@@ -9,9 +9,21 @@
 #include "program.h"
 #include "shaders.h"
 
-enum { OVERLAY_LINES_MAX = 240, SAMPLED_AT_ONCE = 32 };
+enum { OVERLAY_LINES_MAX = 120, SAMPLED_AT_ONCE = 32 };
 
 static const double half_max = 3.7320508075688773; /* the tangent of 75 degrees */
+
+/*
+ * As uniforms, as all that is no integer: printed into the shader it would have the decimal comma
+ * of some hosts' locales.
+ */
+static void set_measures(GLuint program)
+{
+    const double ring_inner = OVERLAY_RING_INNER, dot_radius = OVERLAY_DOT_RADIUS;
+    program_set_vector(program, "ring_inner", &ring_inner, 1);
+    program_set_vector(program, "dot_radius", &dot_radius, 1);
+    program_set_vector(program, "half_max", &half_max, 1);
+}
 
 int overlay_program_create(const cupola_gl *gl, int output, bool gained,
                            struct overlay_program *made, struct cupola_error *error)
@@ -28,10 +40,8 @@ int overlay_program_create(const cupola_gl *gl, int output, bool gained,
     warp_lines(gl, gained, gl->params.encoding == CUPOLA_ENCODING_SRGB, defines + strlen(defines));
     snprintf(defines + strlen(defines), OVERLAY_LINES_MAX,
              "#define KIND_PICTURE %d\n#define KIND_CURSOR %d\n#define KIND_DISC %d\n"
-             "#define RING_INNER %f\n#define DOT_RADIUS %f\n#define PARTS %d\n"
-             "#define HALF_MAX %.9f\n",
-             CUPOLA_OVERLAY_PICTURE, CUPOLA_OVERLAY_CURSOR, CUPOLA_OVERLAY_DISC, OVERLAY_RING_INNER,
-             OVERLAY_DOT_RADIUS, OVERLAY_PARTS, half_max);
+             "#define PARTS %d\n",
+             CUPOLA_OVERLAY_PICTURE, CUPOLA_OVERLAY_CURSOR, CUPOLA_OVERLAY_DISC, OVERLAY_PARTS);
     GLuint program = program_create(defines, files, 5, error);
     if (!program)
         return error->status;
@@ -39,6 +49,7 @@ int overlay_program_create(const cupola_gl *gl, int output, bool gained,
                gained ? ", with gain" : "");
     glUseProgram(program);
     program_set_projector(program, &gl->plan.dome, output);
+    set_measures(program);
     glUniform1i(glGetUniformLocation(program, "picture"), UNIT_IMAGE);
     glUniform1i(glGetUniformLocation(program, "gain"), gain_unit(gl));
     *made = (struct overlay_program){

@@ -53,7 +53,15 @@ static void make_target(struct guest_house *house)
 
 void guest_house_build(struct guest_house *house)
 {
-    const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, GUEST_SIZE);
+    guest_house_build_for(house, 1);
+}
+
+void guest_house_build_for(struct guest_house *house, int projectors)
+{
+    struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, GUEST_SIZE);
+    rig.output_count = projectors;
+    for (int i = 1; i < projectors; i++)
+        rig.outputs[i] = rig.outputs[0];
     *house = (struct guest_house){.gl = NULL};
     assert_int_equal(cupola_dome_create(&rig, &house->dome, NULL), CUPOLA_OK);
     assert_int_equal(cupola_plan_create(house->dome, NULL, &house->plan, NULL), CUPOLA_OK);
@@ -129,10 +137,20 @@ int guest_frame(struct guest_house *house, struct cupola_error *error)
 
 int guest_theatre(struct guest_house *house, struct cupola_error *error)
 {
+    return guest_theatre_encoded(house, CUPOLA_ENCODING_LINEAR, error);
+}
+
+int guest_theatre_encoded(struct guest_house *house, enum cupola_encoding encoding,
+                          struct cupola_error *error)
+{
     struct cupola_spectator spectator;
+    unsigned int images[CUPOLA_OUTPUTS_MAX];
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        images[i] = house->pictures[0].texture;
     cupola_spectator_outside(house->dome, &spectator);
-    return cupola_theatre_draw(house->theatre, &house->pictures[0].texture, &spectator, GUEST_SIZE,
-                               GUEST_SIZE, &house->target, error);
+    spectator.encoding = encoding;
+    return cupola_theatre_draw(house->theatre, images, &spectator, GUEST_SIZE, GUEST_SIZE,
+                               &house->target, error);
 }
 
 float *guest_picture(const struct guest_house *house)

@@ -22,6 +22,7 @@ struct guest_house {
 
 /* Dome, plan, pictures and target; no gl. */
 void guest_house_build(struct guest_house *house);
+void guest_house_build_for(struct guest_house *house, int projectors); /* alike, in one place */
 void guest_house_release(struct guest_house *house);
 
 /* All sources and overlays, unless the parameters name some. */
@@ -37,6 +38,8 @@ int guest_views(struct guest_house *house, struct cupola_error *error);
 int guest_warp(struct guest_house *house, int picture, struct cupola_error *error); /* -1: views */
 int guest_overlays(struct guest_house *house, struct cupola_error *error);
 int guest_theatre(struct guest_house *house, struct cupola_error *error);
+int guest_theatre_encoded(struct guest_house *house, enum cupola_encoding encoding,
+                          struct cupola_error *error);
 
 /* RGBA floats, GUEST_SIZE by GUEST_SIZE; freed by the caller. */
 float *guest_picture(const struct guest_house *house);

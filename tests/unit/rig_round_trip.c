@@ -1,10 +1,10 @@
 /* Rig files: what is written comes back to the last bit. */
 #define _XOPEN_SOURCE 700 /* folder.h */
-#include <locale.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "comma_locale.h"
 #include "io/rig_keys.h"
 #include "io/rig_number.h"
 #include "rig_equal.h"
@@ -118,27 +118,6 @@ static void limits_are_allowed(void **state)
     rig.tilt_rad = pi + 1e-12;
     rig.outputs[0].lens.fov_rad = 2 * pi + 1e-12;
     check_round_trip(&rig);
-}
-
-/* glibc keeps what it made of LOCPATH. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:argz_add_sep\n";
-}
-
-/* A locale with a decimal comma, made for the test where the system has none. */
-static locale_t comma_locale(void)
-{
-    char command[1024];
-    snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s >/dev/null 2>&1",
-             in_folder("de_DE.UTF-8"));
-    if (system(command) != 0)
-        print_message("localedef: no locale made\n");
-    setenv("LOCPATH", folder, 1);
-    locale_t locale = newlocale(LC_ALL_MASK, "de_DE.UTF-8", (locale_t)0);
-    unsetenv("LOCPATH");
-    return locale ? locale : newlocale(LC_ALL_MASK, "de_DE.UTF-8", (locale_t)0);
 }
 
 static void the_locale_changes_nothing(void **state)
