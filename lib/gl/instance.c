@@ -64,8 +64,21 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     return 0;
 }
 
-int target_bind(GLuint framebuffer, struct cupola_error *error)
+/* As far as a float counts pixels. */
+enum { CORNER_MAX = 1 << 24 };
+
+static bool near_enough(int at)
 {
+    return at >= -CORNER_MAX && at <= CORNER_MAX;
+}
+
+int target_bind(const struct cupola_target *place, struct cupola_error *error)
+{
+    GLuint framebuffer = place->framebuffer;
+    if (!near_enough(place->x) || !near_enough(place->y))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "target's corner is (%d, %d) px; allowed: -%d to %d each way", place->x,
+                         place->y, CORNER_MAX, CORNER_MAX);
     if (framebuffer && !glIsFramebuffer(framebuffer))
         return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u does not exist",
                          framebuffer);

@@ -184,9 +184,10 @@ GLuint table_upload(const cupola_gl *gl, int output, enum cupola_table stage,
 
 /*
  * Binds a host's framebuffer for drawing and reading; CUPOLA_ERROR_GL, and no error left in the GL,
- * if there is none of that name or it is not complete.
+ * if there is none of that name or it is not complete, CUPOLA_ERROR_ARGUMENT if its corner is
+ * farther away than numbers of pixels can be added to it.
  */
-int target_bind(GLuint framebuffer, struct cupola_error *error);
+int target_bind(const struct cupola_target *place, struct cupola_error *error);
 
 /*
  * For the framebuffer that target_bind has bound: CUPOLA_ERROR_ARGUMENT if one of its colours is a
@@ -212,7 +213,7 @@ bool target_encodes(const struct host_features *features);
 bool target_is_srgb(const struct host_features *features);
 
 /* Whether draw buffer 0 of the framebuffer that is bound has channels of 32 bit floats. */
-bool target_is_float32(void);
+bool target_is_float32(const struct host_features *features);
 
 /* An error where an encoding cannot be had because the GL encodes. */
 int target_check_encoding(const struct host_features *features, GLuint framebuffer,

@@ -138,7 +138,7 @@ static int check_sampled(GLuint framebuffer, const struct cupola_overlay *overla
 
 static int check_blending(const cupola_gl *gl, GLuint framebuffer, struct cupola_error *error)
 {
-    if (gl->features.float_blend || !target_is_float32())
+    if (gl->features.float_blend || !target_is_float32(&gl->features))
         return CUPOLA_OK;
     return error_set(error, CUPOLA_ERROR_GL,
                      "overlays over a target of 32 bit floats (framebuffer %u) need "
@@ -148,14 +148,15 @@ static int check_blending(const cupola_gl *gl, GLuint framebuffer, struct cupola
 
 /* With the host's state saved. */
 static int prepare_target(const cupola_gl *gl, int output, const struct cupola_overlay *overlays,
-                          int count, GLuint framebuffer, struct cupola_error *error)
+                          int count, const struct cupola_target *place, struct cupola_error *error)
 {
+    const GLuint framebuffer = place->framebuffer;
     const GLuint gain = gl->passes[output].gain;
     int status = check_textures(gl, overlays, count, error);
     if (status == CUPOLA_OK && gain)
         status = gain_check(gl, output, error);
     if (status == CUPOLA_OK)
-        status = target_bind(framebuffer, error);
+        status = target_bind(place, error);
     if (status != CUPOLA_OK || gl->guest.leaves_state)
         return status; /* what is attached to the target would have to be asked for */
     status = check_sampled(framebuffer, overlays, count, error);
@@ -237,7 +238,7 @@ static int overlay(cupola_gl *gl, int output, const struct cupola_overlay *overl
     struct cupola_target place = target ? *target : (struct cupola_target){0};
     struct guest_work work;
     guest_begin(&gl->guest, &work, "overlays of output %d", output);
-    status = prepare_target(gl, output, overlays, count, place.framebuffer, error);
+    status = prepare_target(gl, output, overlays, count, &place, error);
     if (status == CUPOLA_OK)
         draw_all(gl, output, overlays, count, &place);
     guest_end(&gl->guest, &work);

@@ -2,17 +2,37 @@
 #include "error.h"
 #include "instance.h"
 
+/*
+ * One buffer of those that a draw buffer of a default framebuffer may stand for, by the names that
+ * desktop OpenGL before 4.5 can be asked for; OpenGL ES has GL_BACK alone, and knows it.
+ */
+static GLenum one_buffer(GLenum buffer)
+{
+    switch (buffer) {
+    case GL_BACK:
+        return GL_BACK_LEFT;
+    case GL_FRONT:
+    case GL_LEFT:
+    case GL_FRONT_AND_BACK:
+        return GL_FRONT_LEFT;
+    case GL_RIGHT:
+        return GL_FRONT_RIGHT;
+    default:
+        return buffer;
+    }
+}
+
 /* What draw buffer 0 of the framebuffer that is bound draws into; GL_NONE for nothing. */
-static GLenum first_attachment(void)
+static GLenum first_attachment(const struct host_features *features)
 {
     GLint buffer = GL_NONE;
     glGetIntegerv(GL_DRAW_BUFFER0, &buffer);
-    return (GLenum)buffer;
+    return features->es ? (GLenum)buffer : one_buffer((GLenum)buffer);
 }
 
-static GLint first_attachment_value(GLenum name)
+static GLint first_attachment_value(const struct host_features *features, GLenum name)
 {
-    GLenum buffer = first_attachment();
+    GLenum buffer = first_attachment(features);
     GLint type = GL_NONE, value = 0;
     if (buffer == GL_NONE)
         return 0;
@@ -25,24 +45,12 @@ static GLint first_attachment_value(GLenum name)
 
 bool target_is_srgb(const struct host_features *features)
 {
-    GLenum buffer = first_attachment();
-    GLint type = GL_NONE, encoding = GL_LINEAR;
-    if (buffer == GL_BACK && !features->es)
-        buffer = GL_BACK_LEFT; /* desktop OpenGL before 4.5 knows it by this name only */
-    if (buffer == GL_NONE)
-        return false;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer,
-                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-    if (type != GL_NONE)
-        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer,
-                                              GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, &encoding);
-    return encoding == GL_SRGB;
+    return first_attachment_value(features, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_SRGB;
 }
 
 bool target_encodes(const struct host_features *features)
 {
-    return features->srgb_always &&
-           first_attachment_value(GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_SRGB;
+    return features->srgb_always && target_is_srgb(features);
 }
 
 int target_check_encoding(const struct host_features *features, GLuint framebuffer,
@@ -56,9 +64,8 @@ int target_check_encoding(const struct host_features *features, GLuint framebuff
                      framebuffer);
 }
 
-bool target_is_float32(void)
+bool target_is_float32(const struct host_features *features)
 {
-    return first_attachment() != GL_BACK &&
-           first_attachment_value(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT &&
-           first_attachment_value(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) == 32;
+    return first_attachment_value(features, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT &&
+           first_attachment_value(features, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) == 32;
 }

@@ -296,7 +296,8 @@ static void draw_outputs(const cupola_theatre *theatre, const unsigned int *imag
 static int check_blending(const cupola_theatre *theatre, GLuint framebuffer,
                           struct cupola_error *error)
 {
-    if (theatre->features.float_blend || theatre->dome.rig.output_count < 2 || !target_is_float32())
+    if (theatre->features.float_blend || theatre->dome.rig.output_count < 2 ||
+        !target_is_float32(&theatre->features))
         return CUPOLA_OK;
     return error_set(error, CUPOLA_ERROR_GL,
                      "several projectors in a target of 32 bit floats (framebuffer %u) need "
@@ -356,7 +357,7 @@ static int theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     guest_begin(&theatre->guest, &work, "theatre");
     status = check_images(theatre, images, error);
     if (status == CUPOLA_OK)
-        status = target_bind(place.framebuffer, error);
+        status = target_bind(&place, error);
     if (status == CUPOLA_OK)
         status =
             target_check_sampled(place.framebuffer, images, theatre->dome.rig.output_count, error);

@@ -247,8 +247,9 @@ static void warp_draw(const cupola_gl *gl, int output, const struct cupola_sourc
 
 /* All that is sampled: there, and not drawn into at the same time. The target is bound then. */
 static int check_sampled(const cupola_gl *gl, int output, const struct cupola_source *source,
-                         GLuint framebuffer, struct cupola_error *error)
+                         const struct cupola_target *place, struct cupola_error *error)
 {
+    const GLuint framebuffer = place->framebuffer;
     const struct warp_pass *pass = &gl->passes[output];
     bool views = source->kind == CUPOLA_SOURCE_VIEWS;
     bool images = views && gl->params.storage != CUPOLA_STORAGE_ATLAS;
@@ -262,7 +263,7 @@ static int check_sampled(const cupola_gl *gl, int output, const struct cupola_so
     if (status == CUPOLA_OK && pass->gain)
         status = gain_check(gl, output, error);
     if (status == CUPOLA_OK)
-        status = target_bind(framebuffer, error);
+        status = target_bind(place, error);
     if (status != CUPOLA_OK || gl->guest.leaves_state)
         return status; /* what is attached to the target would have to be asked for */
     status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);
@@ -291,7 +292,7 @@ static int warp(cupola_gl *gl, int output, const struct cupola_source *source,
     struct cupola_source shown = source ? *source : (struct cupola_source){.texture = 0};
     struct guest_work work;
     guest_begin(&gl->guest, &work, "warp of output %d", output);
-    status = check_sampled(gl, output, &shown, place.framebuffer, error);
+    status = check_sampled(gl, output, &shown, &place, error);
     if (status == CUPOLA_OK)
         warp_draw(gl, output, &shown, &place);
     guest_end(&gl->guest, &work);

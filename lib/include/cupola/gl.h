@@ -245,7 +245,9 @@ CUPOLA_API int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_im
  *
  * output   index, 0 to the number of the rig's outputs - 1
  * texture  a GL_TEXTURE_2D of the output's size, of which red, green and blue are used, fetched
- *          texel by texel; it must live as long as it is set. 0: none, which is how it begins
+ *          texel by texel; it must live as long as it is set. One of a single channel is red, and
+ *          lets green and blue be 0: a grey gain has three channels, or swizzles red into all. 0:
+ *          none, which is how it begins
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or the texture is none or
@@ -265,7 +267,7 @@ CUPOLA_API int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int textur
  */
 struct cupola_target {
     unsigned int framebuffer; /* 0: the default framebuffer */
-    int x;                    /* lower left corner of the output's image in it, px */
+    int x;                    /* lower left corner of the output's image in it, px, -2^24 to 2^24 */
     int y;                    /* the same, from the bottom */
 };
 
@@ -282,8 +284,8 @@ struct cupola_target {
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, the source is of a kind
  *          that gl was not made for, a field of it is outside of its range or its texture is none
- *          of that kind, a texture that is sampled is a colour of the target, or one that was
- *          imported or set as a gain has been deleted since
+ *          of that kind, a texture that is sampled is a colour of the target, one that was
+ *          imported or set as a gain has been deleted since, or the target's corner is too far
  *          CUPOLA_ERROR_ORDER inside a view, or before the host's views were imported
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
@@ -336,7 +338,7 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
  *          8 bits each, unless the framebuffer holds floats); untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
- *          CUPOLA_ERROR_ARGUMENT if rgba is NULL or a side is not as said above
+ *          CUPOLA_ERROR_ARGUMENT if rgba is NULL, or a side or the corner is not as said above
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_GL if the framebuffer does not exist, is not complete, has several samples
  *          per pixel or no colour to read

@@ -87,7 +87,8 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if theatre, images or spectator is NULL, the spectator is not as
- *          said above, a side is not, or an image is no 2-D texture or a colour of the target
+ *          said above, a side or the target's corner is not, or an image is no 2-D texture or a
+ *          colour of the target
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
