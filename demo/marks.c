@@ -81,9 +81,9 @@ static void look_along(double yaw_rad, double pitch_rad, double direction[3])
 
 struct cupola_overlay mark_cursor(const double direction[3])
 {
-    struct cupola_overlay cursor = {.kind = CUPOLA_OVERLAY_CURSOR,
-                                    .width_rad = CURSOR_WIDTH_DEG * RADIANS,
-                                    .color = {1, 0.8f, 0.1f, 1}};
+    static const float amber[4] = {1, 0.8f, 0.1f, 1};
+    struct cupola_overlay cursor = {
+        .kind = CUPOLA_OVERLAY_CURSOR, .width_rad = CURSOR_WIDTH_DEG * RADIANS, .color = amber};
 
     memcpy(cursor.direction, direction, sizeof cursor.direction);
     return cursor;

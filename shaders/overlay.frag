@@ -16,6 +16,17 @@ vec2 half_size()
     return vec2(overlay_half.x, min(overlay_half.x * size.y / size.x, half_max));
 }
 
+// What lies over an encoded picture is mixed as numbers: encoded where alpha is 1, times alpha.
+// Light above alpha shines beside what it covers and is encoded as over black; in between, the more
+// of it the alpha covers the more it is the former.
+vec3 over_color(vec4 light, vec2 pixel)
+{
+    vec3 whole = clamp(max(light.rgb, light.a), 1e-6, 1.0);
+    vec3 mixed = whole * pixel_color(vec4(light.rgb / whole, 1.0), pixel).rgb;
+    vec3 added = pixel_color(vec4(light.rgb, 1.0), pixel).rgb;
+    return mix(added, mixed, light.a / whole);
+}
+
 void main()
 {
     vec2 pixel = gl_FragCoord.xy - target_corner;
@@ -32,7 +43,5 @@ void main()
         Place place = overlay_place(direction);
         light *= textureGrad(picture, place.at, place.dx, place.dy);
     }
-    float alpha = light.a > 0.0 ? light.a : 1.0;
-    color.rgb = alpha * pixel_color(vec4(light.rgb / alpha, 1.0), pixel).rgb;
-    color = coverage * vec4(color.rgb, light.a);
+    color = coverage * vec4(over_color(light, pixel), light.a);
 }

@@ -25,9 +25,9 @@ static int check_direction(const double v[3], struct cupola_error *error)
                      v[1], v[2]);
 }
 
-static int check_color(const float color[4], struct cupola_error *error)
+static int check_color(const float *color, struct cupola_error *error)
 {
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; color && i < 4; i++) {
         double value = (double)color[i];
         if (!(value >= 0 && isfinite(value) && (i < 3 || value <= 1)))
             return error_set(error, CUPOLA_ERROR_ARGUMENT, "color[%d] is %g; allowed: %s", i, value,
@@ -103,10 +103,9 @@ void overlay_frame_prepare(const struct cupola_overlay *overlay, double aspect,
 void overlay_color(const struct cupola_overlay *overlay, float premultiplied[4])
 {
     const float *color = overlay->color;
-    bool unset = color[0] == 0 && color[1] == 0 && color[2] == 0 && color[3] == 0;
     for (int i = 0; i < 3; i++)
-        premultiplied[i] = unset ? 1 : color[i] * color[3];
-    premultiplied[3] = unset ? 1 : color[3];
+        premultiplied[i] = color ? color[i] * color[3] : 1;
+    premultiplied[3] = color ? color[3] : 1;
 }
 
 void overlay_direction(const struct overlay_frame *frame, const struct varying *ray,

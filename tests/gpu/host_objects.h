@@ -286,8 +286,10 @@ static void state_reset(void)
     glScissor(0, 0, TARGET_WIDTH, TARGET_HEIGHT);
 }
 
+static const float laid_color[4] = {0.9f, 0.2f, 0.1f, 0.5f};
+
 /* A spot that lets half of the warp through. */
 static const struct cupola_overlay laid_over = {
-    CUPOLA_OVERLAY_DISC, {0.1, 0.2, -1.0}, 0.7, .color = {0.9f, 0.2f, 0.1f, 0.5f}};
+    CUPOLA_OVERLAY_DISC, {0.1, 0.2, -1.0}, 0.7, .color = laid_color};
 
 #endif

@@ -26,7 +26,8 @@ static float *waves(void)
     return picture;
 }
 
-static struct cupola_overlay random_overlay(uint64_t *seed, const cupola_dome *dome, int number)
+static struct cupola_overlay random_overlay(uint64_t *seed, const cupola_dome *dome, int number,
+                                            float color[4])
 {
     struct cupola_overlay overlay = {.kind = (enum cupola_overlay_kind)(number % 3)};
     struct cupola_ray ray;
@@ -36,8 +37,9 @@ static struct cupola_overlay random_overlay(uint64_t *seed, const cupola_dome *d
     overlay.width_rad = random_between(seed, 0.05, largest);
     overlay.height_rad = number % 4 ? random_between(seed, 0.05, largest) : 0.0;
     overlay.roll_rad = random_between(seed, -6.0, 6.0);
-    for (int c = 0; number % 2 && c < 4; c++)
-        overlay.color[c] = (float)random_between(seed, 0.6, 1.0);
+    for (int c = 0; c < 4; c++)
+        color[c] = (float)random_between(seed, 0.6, 1.0);
+    overlay.color = number % 2 ? color : NULL;
     return overlay;
 }
 
@@ -74,7 +76,8 @@ static void the_image_is_that_of_the_reference(void **state)
         struct fixture fixture;
         make_for_overlays(&rig, CUPOLA_ENCODING_LINEAR, &fixture);
         struct canvas canvas = canvas_make(&fixture, 0);
-        struct cupola_overlay overlay = random_overlay(&seed, fixture.dome, number), wrong;
+        float color[4];
+        struct cupola_overlay overlay = random_overlay(&seed, fixture.dome, number, color), wrong;
         overlay.texture = texture;
         canvas_fill(&canvas, ground);
         canvas_lay(&fixture, &canvas, &overlay, 1);

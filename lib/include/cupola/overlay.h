@@ -39,13 +39,15 @@ struct cupola_overlay {
      * towards +Y of the host's camera frame, and where the direction is straight up or down, as if
      * the viewer had raised or lowered the head from straight ahead. */
     double roll_rad;
-    /* A GL_TEXTURE_2D, its first row the lower edge, colour times alpha (premultiplied), filtered
-     * by a sampler object of Cupola's. Not asked of the other kinds. */
+    /* A GL_TEXTURE_2D, its first row the lower edge, filtered by a sampler object of Cupola's. Its
+     * colour is premultiplied: in linear light, colour times alpha, and for a texture of an sRGB
+     * format encoded after that. Colour above alpha is light that is added, as of a glow. Not asked
+     * of the other kinds. */
     unsigned int texture;
     bool mipmaps; /* the texture has all its levels */
-    float
-        color[4]; /* RGBA in linear light, 0 or more, alpha up to 1, not premultiplied; a picture is
-                     * multiplied by it. All zero: opaque white */
+    /* Four floats: RGBA in linear light, 0 or more, alpha up to 1, not premultiplied; a picture is
+     * multiplied by it. Read during the call only. NULL: opaque white */
+    const float *color;
 };
 
 /*
@@ -56,12 +58,15 @@ struct cupola_overlay {
  * overlays  `count` of them
  * count     0 or more
  * target    as in cupola_gl_warp. Where the gl's encoding is sRGB and the target's format is, too,
- *           colours are mixed in linear light; into other formats encoded numbers are mixed
+ *           colours are mixed in linear light. Into other formats encoded numbers are mixed: of a
+ *           colour up to alpha, (1 - alpha) of what was there and alpha of the encoded colour, not
+ *           premultiplied; a colour above alpha comes the nearer to its code over black the less of
+ *           it the alpha covers
  * error     may be NULL
  * returns   CUPOLA_OK
  *           CUPOLA_ERROR_ARGUMENT if gl, or overlays with a count above 0, is NULL, gl was made
  *           without overlays, there is no such output, a field is outside of its range, or a
- *           texture is no GL_TEXTURE_2D or a colour of the target
+ *           texture is no GL_TEXTURE_2D or a colour of the target, or its corner is too far
  *           CUPOLA_ERROR_ORDER inside a view
  *           CUPOLA_ERROR_CONTEXT, CUPOLA_ERROR_LOST
  *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
