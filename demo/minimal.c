@@ -69,6 +69,9 @@ int main(int argc, char **argv)
     struct cupola_gl_view view;
     cupola_dome *dome = NULL;
     cupola_plan *plan = NULL;
+    /* The scene's colours are those of the screen: mixed in linear light, and encoded again. */
+    const struct cupola_gl_params params = {.format = CUPOLA_FORMAT_SRGB8,
+                                            .encoding = CUPOLA_ENCODING_SRGB};
     cupola_gl *gl = NULL;
 
     if (cupola_rig_preset("visionstation", &rig, &error) < 0 ||
@@ -91,7 +94,7 @@ int main(int argc, char **argv)
     glGenVertexArrays(1, &vertex_array);
     glBindVertexArray(vertex_array);
 
-    if (cupola_gl_create(plan, NULL, &gl, &error) < 0)
+    if (cupola_gl_create(plan, &params, &gl, &error) < 0)
         goto fail;
     while (!glfwWindowShouldClose(window) && frames-- != 0) {
         if ((views = cupola_gl_frame_begin(gl, NULL, &error)) < 0)

@@ -103,10 +103,15 @@ void run(int frames)
     const dome_ptr dome = made<dome_ptr>(cupola_dome_create, &rig);
     const plan_ptr plan = made<plan_ptr>(cupola_plan_create, dome.get(), nullptr);
 
+    /* The scene's colours are those of the screen: mixed in linear light, and encoded again. */
+    cupola_gl_params params = {};
+    params.format = CUPOLA_FORMAT_SRGB8;
+    params.encoding = CUPOLA_ENCODING_SRGB;
+
     const glfw library;
     const window_ptr window = make_window(rig.outputs[0]);
     /* Declared after the window, so destroyed before it, while the context is still there. */
-    const gl_ptr gl = made<gl_ptr>(cupola_gl_create, plan.get(), nullptr);
+    const gl_ptr gl = made<gl_ptr>(cupola_gl_create, plan.get(), &params);
     const cubes scene = cubes_create();
 
     while (!glfwWindowShouldClose(window.get()) && frames-- != 0) {

@@ -95,6 +95,9 @@ int main(int argc, char **argv)
     struct cubes cubes;
     cupola_dome *dome = NULL;
     cupola_plan *plan = NULL;
+    /* The scene's colours are those of the screen: mixed in linear light, and encoded again. */
+    const struct cupola_gl_params params = {.format = CUPOLA_FORMAT_SRGB8,
+                                            .encoding = CUPOLA_ENCODING_SRGB};
     cupola_gl *gl = NULL;
 
     if (display == EGL_NO_DISPLAY) {
@@ -104,7 +107,7 @@ int main(int argc, char **argv)
     if (cupola_rig_preset("visionstation", &rig, &error) < 0 ||
         cupola_dome_create(&rig, &dome, &error) < 0 ||
         cupola_plan_create(dome, NULL, &plan, &error) < 0 ||
-        cupola_gl_create(plan, NULL, &gl, &error) < 0)
+        cupola_gl_create(plan, &params, &gl, &error) < 0)
         goto fail;
     target.framebuffer =
         make_framebuffer(rig.outputs[0].width_px, rig.outputs[0].height_px, &texture);

@@ -33,7 +33,19 @@ struct dome_host : osg::Referenced {
     bool right = false; /* the last image showed the scene */
 };
 
-const cupola_frame frame = {{0.1, 100.0, false, false, false}, {0.05f, 0.05f, 0.1f, 1.0f}};
+/* The background is in linear light. */
+const cupola_frame frame = {{0.1, 100.0, false, false, false}, {0.004f, 0.004f, 0.01f, 1.0f}};
+
+/* The scene's colours are those of the screen: mixed in linear light, and encoded again. */
+cupola_gl_params screen_colors()
+{
+    cupola_gl_params params = {};
+    params.format = CUPOLA_FORMAT_SRGB8;
+    params.encoding = CUPOLA_ENCODING_SRGB;
+    return params;
+}
+
+const cupola_gl_params gl_params = screen_colors();
 
 /* Before OSG draws a view: binds the view's framebuffer and clears it. */
 struct view_begin : osg::Camera::DrawCallback {
@@ -42,7 +54,7 @@ struct view_begin : osg::Camera::DrawCallback {
     }
     void operator()(osg::RenderInfo &) const override
     {
-        if (!host->gl && cupola_gl_create(host->plan, nullptr, &host->gl, &host->error) < 0)
+        if (!host->gl && cupola_gl_create(host->plan, &gl_params, &host->gl, &host->error) < 0)
             return;
         if (index == 0)
             cupola_gl_frame_begin(host->gl, &frame, &host->error);

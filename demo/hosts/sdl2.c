@@ -50,6 +50,9 @@ static int fit_to_window(struct host *host, struct cupola_error *error)
     int width, height, status;
     cupola_dome *dome = NULL;
     cupola_plan *plan = NULL;
+    /* The scene's colours are those of the screen: mixed in linear light, and encoded again. */
+    const struct cupola_gl_params params = {.format = CUPOLA_FORMAT_SRGB8,
+                                            .encoding = CUPOLA_ENCODING_SRGB};
     cupola_gl *gl = NULL;
 
     SDL_GL_GetDrawableSize(host->window, &width, &height);
@@ -59,7 +62,7 @@ static int fit_to_window(struct host *host, struct cupola_error *error)
     if ((status = cupola_output_resize(&host->rig.outputs[0], width, height, error)) >= 0 &&
         (status = cupola_dome_create(&host->rig, &dome, error)) >= 0 &&
         (status = cupola_plan_create(dome, NULL, &plan, error)) >= 0 &&
-        (status = cupola_gl_create(plan, NULL, &gl, error)) >= 0) {
+        (status = cupola_gl_create(plan, &params, &gl, error)) >= 0) {
         cupola_gl_destroy(&host->gl);
         host->gl = gl;
     }

@@ -94,7 +94,10 @@ enum cupola_table {
     CUPOLA_TABLE_COORDINATES, /* finished coordinates in the atlas */
 };
 
-/* How a plan is carried out. All zero is what most hosts want. */
+/*
+ * How a plan is carried out. All zero passes numbers through as they are; a host that draws colours
+ * for a screen sets format to SRGB8 and encoding to SRGB, and they are mixed as light.
+ */
 struct cupola_gl_params {
     enum cupola_format format;      /* of the views; 0: RGBA8. Not asked of a host's textures */
     enum cupola_depth_format depth; /* of the views; 0: 32F. Likewise */
