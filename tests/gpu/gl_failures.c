@@ -87,6 +87,12 @@ static void undo_theatre(void)
     cupola_theatre_destroy(&house.theatre);
 }
 
+/* The texture that several projectors' light is added up in, made in a frame. */
+static int make_sum(struct cupola_error *error)
+{
+    return guest_theatre_encoded(&house, CUPOLA_ENCODING_SRGB, error);
+}
+
 static int make_points(struct cupola_error *error)
 {
     unsigned int points = 7;
@@ -171,11 +177,15 @@ static void creation_with_samples_survives(void **state)
 
 static void creation_for_the_hosts_textures_survives(void **state)
 {
-    const struct maker maker = {"create, the host's textures", make_gl, undo_gl, 10};
+    const struct maker textures = {"create, the host's textures", make_gl, undo_gl, 10};
+    const struct maker layers = {"create, the host's layers", make_gl, undo_gl, 10};
     (void)state;
     params = (struct cupola_gl_params){.storage = CUPOLA_STORAGE_TEXTURES,
                                        .sources = 1u << CUPOLA_SOURCE_VIEWS};
-    try_each(&maker, false);
+    try_each(&textures, false);
+    params.storage = CUPOLA_STORAGE_LAYERS;
+    try_each(&layers, false);
+    try_each(&layers, true);
 }
 
 static void theatres_survive(void **state)
@@ -184,6 +194,18 @@ static void theatres_survive(void **state)
     (void)state;
     try_each(&maker, false);
     try_each(&maker, true);
+}
+
+static void frames_that_make_something_survive(void **state)
+{
+    const struct maker maker = {"light of several projectors", make_sum, undo_nothing, 4};
+    (void)state;
+    guest_house_release(&house);
+    guest_house_build_for(&house, 3);
+    assert_int_equal(make_theatre(NULL), CUPOLA_OK);
+    try_each(&maker, false);
+    guest_house_release(&house);
+    guest_house_build(&house);
 }
 
 static void points_and_gain_survive(void **state)
@@ -205,6 +227,7 @@ int main(void)
         cmocka_unit_test(creation_with_samples_survives),
         cmocka_unit_test(creation_for_the_hosts_textures_survives),
         cmocka_unit_test(theatres_survive),
+        cmocka_unit_test(frames_that_make_something_survive),
         cmocka_unit_test(points_and_gain_survive),
     };
     return cmocka_run_group_tests_name("gl_failures", tests, open_house, close_house);

@@ -65,7 +65,8 @@ static void check_all_lost(bool also_theatre)
 {
     unsigned int points = 7;
     struct cupola_error error = {CUPOLA_OK, ""};
-    int called = interposed.called, expected = failures + 8;
+    int called = interposed.called, expected = failures + 10;
+    struct cupola_view_image images[CUPOLA_VIEWS_MAX] = {{.texture = house.target_texture}};
     assert_int_equal(cupola_gl_frame_begin(house.gl, NULL, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_view_begin(house.gl, 0, NULL, NULL), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_view_end(house.gl, NULL), CUPOLA_ERROR_LOST);
@@ -74,6 +75,8 @@ static void check_all_lost(bool also_theatre)
     assert_int_equal(cupola_gl_points(house.gl, 0, &points, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_set_gain(house.gl, 0, 0, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_views(&house, &error), CUPOLA_ERROR_LOST);
+    assert_int_equal(guest_overlays(&house, &error), CUPOLA_ERROR_LOST);
+    assert_int_equal(cupola_gl_views_import(house.gl, images, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(points, 7);
     assert_int_equal(error.status, CUPOLA_ERROR_LOST);
     assert_non_null(strstr(error.message, "lost"));
