@@ -58,8 +58,10 @@ static void visit_directions(const struct theatre_case *theatre, cupola_plan *pl
     struct worst *worst = user;
     struct fixture fixture;
     struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F, .table = theatre->stage};
-    if (worst->visited++ % (context_is_es() ? ES_STRIDE : 1) != 0)
+    if (worst->visited++ % (context_is_es() ? ES_STRIDE : 1) != 0) {
+        cupola_plan_destroy(&plan);
         return;
+    }
     fixture_make_of_plan(plan, &params, &fixture);
     fixture_paint(&fixture, PAINT_DIRECTIONS);
     for (int output = 0; output < theatre->rig.output_count; output++) {
