@@ -1,6 +1,10 @@
 /* A thousand lives of all that there is, and two hundred rigs in a row, leave nothing behind. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <unistd.h>
 
 #include "check.h"
@@ -23,8 +27,48 @@ enum { SANITIZED = 0 };
 #endif
 
 enum { LIVES = 1000, RIGS = 200, WARM_UP = 200, NAMES = 2048 };
+enum { SLACK = 2 << 20, PER_LIFE = 2 << 10 }; /* bytes that the GL may keep for itself */
 
 static struct guest_house house;
+
+static long blocks; /* that the library has, and this test: not those of the GL */
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void __real_free(void *block);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+void __wrap_free(void *block);
+
+void *__wrap_malloc(size_t size)
+{
+    void *made = __real_malloc(size);
+    blocks += made != NULL;
+    return made;
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    void *made = __real_calloc(count, size);
+    blocks += made != NULL;
+    return made;
+}
+
+void *__wrap_realloc(void *block, size_t size)
+{
+    bool fresh = !block;
+    void *made = __real_realloc(block, size);
+    blocks += fresh && made;
+    return made;
+}
+
+void __wrap_free(void *block)
+{
+    blocks -= block != NULL;
+    __real_free(block);
+}
 
 static int open_house(void **state)
 {
@@ -42,15 +86,24 @@ static int close_house(void **state)
     return 0;
 }
 
+/* Less what is free: a leak that fits into that would not be seen. */
 static long resident_bytes(void)
 {
     long pages = 0, resident = 0;
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
     FILE *file = fopen("/proc/self/statm", "r");
     if (file && fscanf(file, "%ld %ld", &pages, &resident) != 2)
         resident = 0;
     if (file)
         fclose(file);
     return resident * sysconf(_SC_PAGESIZE);
+}
+
+static double bytes_allowed(int count)
+{
+    return SLACK + (double)count * PER_LIFE;
 }
 
 static void check_ok(int status, const struct cupola_error *error, int number)
@@ -115,23 +168,42 @@ static void change_rig(int number)
     cupola_gl_destroy(&house.gl);
 }
 
-static void check_growth(void (*cycle)(int number), int count)
+/* What a number of lives leaves behind. */
+struct growth {
+    int objects;
+    long most_blocks; /* after any of them */
+    long bytes;
+};
+
+static struct growth growth_of(void (*cycle)(int number), int count)
 {
+    struct growth growth = {0, 0, 0};
     for (int i = 0; i < WARM_UP && i < count; i++) /* the GL's own caches */
         cycle(i);
     glFinish();
     int objects = live_objects(NAMES);
-    long bytes = resident_bytes();
-    for (int i = 0; i < count; i++)
+    long bytes = resident_bytes(), before = blocks;
+    for (int i = 0; i < count; i++) {
         cycle(i);
+        if (labs(blocks - before) > labs(growth.most_blocks))
+            growth.most_blocks = blocks - before;
+    }
     glFinish();
-    long more = resident_bytes() - bytes;
-    printf("  %d objects before, %d after %d; %ld KiB more\n", objects, live_objects(NAMES), count,
-           more / 1024);
-    assert_int_equal(live_objects(NAMES), objects);
+    growth.bytes = resident_bytes() - bytes;
+    growth.objects = live_objects(NAMES) - objects;
+    printf("  after %d: %d objects, %ld blocks, %ld KiB more\n", count, growth.objects,
+           growth.most_blocks, growth.bytes / 1024);
+    return growth;
+}
+
+static void check_growth(void (*cycle)(int number), int count)
+{
+    struct growth growth = growth_of(cycle, count);
+    assert_int_equal(growth.objects, 0);
+    assert_int_equal(growth.most_blocks, 0);
     assert_int_equal(glGetError(), GL_NO_ERROR);
     if (!SANITIZED)
-        check_at_most(more, 12 << 20);
+        check_at_most(growth.bytes, bytes_allowed(count));
 }
 
 static void a_thousand_lives_leave_nothing_behind(void **state)
@@ -146,9 +218,38 @@ static void two_hundred_rigs_leave_nothing_behind(void **state)
     check_growth(change_rig, RIGS);
 }
 
+/* The controls: one small block, and one that is large enough to be seen from outside. */
+static void *leaked[2 * RIGS];
+static int leaks;
+
+static void leak_block(int number)
+{
+    (void)number;
+    leaked[leaks++] = malloc(8);
+}
+
+static void leak_pages(int number)
+{
+    leaked[leaks++] = memset(malloc(8 * PER_LIFE), number, 8 * PER_LIFE);
+}
+
+static void a_leak_would_be_seen(void **state)
+{
+    (void)state;
+    for (int large = 0; large < 2; large++) {
+        struct growth growth = growth_of(large ? leak_pages : leak_block, RIGS);
+        while (leaks > 0)
+            free(leaked[--leaks]);
+        assert_int_equal(growth.most_blocks, RIGS);
+        if (large && !SANITIZED)
+            check_at_least(growth.bytes, bytes_allowed(RIGS));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_leak_would_be_seen),
         cmocka_unit_test(a_thousand_lives_leave_nothing_behind),
         cmocka_unit_test(two_hundred_rigs_leave_nothing_behind),
     };
