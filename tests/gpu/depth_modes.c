@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "group.h"
+#include "host_depth.h"
 #include "rig_random.h"
 #include "triangles.h"
 
@@ -20,30 +21,9 @@ static const float red[4] = {1, 0, 0, 1}, green[4] = {0, 1, 0, 1};
 
 static struct triangles triangles;
 
-static bool has_clip_control(void)
-{
-    return context_has(45, "GL_ARB_clip_control", 1000, "GL_EXT_clip_control");
-}
-
 static struct cupola_depth mode_of(int mode)
 {
     return (struct cupola_depth){near_distance, far_distance, mode & 1, mode & 2, mode & 4};
-}
-
-/* What a host does to draw with a depth: all of it. */
-static void host_depth(const struct cupola_depth *depth)
-{
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(depth->reversed ? GL_GREATER : GL_LESS);
-    if (has_clip_control())
-        glClipControl(GL_LOWER_LEFT, depth->zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
-}
-
-static void host_depth_reset(void)
-{
-    const struct cupola_depth plain = {.near_distance = 0};
-    host_depth(&plain);
-    glDisable(GL_DEPTH_TEST);
 }
 
 static void make(struct fixture *fixture, enum cupola_depth_format format)
