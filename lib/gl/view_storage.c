@@ -3,6 +3,10 @@
  * several samples per texel the host draws into renderbuffers of the same size, and view_end
  * resolves them.
  */
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
 #include "error.h"
 #include "instance.h"
 
@@ -33,6 +37,7 @@ static const struct {
 enum {
     COLOR_COUNT = sizeof colors / sizeof colors[0],
     DEPTH_COUNT = sizeof depths / sizeof depths[0],
+    SAMPLES_MAX = 64, /* more are not looked for */
 };
 
 int views_check_params(const struct cupola_gl_params *params, struct cupola_error *error)
@@ -66,36 +71,60 @@ static int check_format(const cupola_gl *gl, struct cupola_error *error)
     return CUPOLA_OK;
 }
 
-/* How many samples a renderbuffer of a format may have; 1 where none of several is to be had. */
-static GLint samples_most(const cupola_gl *gl, GLenum internal)
+/* The numbers of samples that a renderbuffer of a format may have: bit n - 1 for n of them. */
+static uint64_t sample_counts(const cupola_gl *gl, GLenum internal)
 {
-    GLint counts = 0, most = 0;
+    GLint counts[SAMPLES_MAX] = {0}, count = 0, most = 0;
+    uint64_t found = 1;
     if (!(gl->features.es || epoxy_gl_version() >= 42 ||
           epoxy_has_gl_extension("GL_ARB_internalformat_query"))) {
-        glGetIntegerv(GL_MAX_SAMPLES, &most);
-        return most < 1 ? 1 : most;
+        glGetIntegerv(GL_MAX_SAMPLES, &most); /* which of them is not to be known */
+        for (GLint n = 2; n <= most && n <= SAMPLES_MAX; n++)
+            found |= (uint64_t)1 << (n - 1);
+        return found;
     }
-    /* They come in falling order. */
-    glGetInternalformativ(GL_RENDERBUFFER, internal, GL_NUM_SAMPLE_COUNTS, 1, &counts);
-    if (counts > 0)
-        glGetInternalformativ(GL_RENDERBUFFER, internal, GL_SAMPLES, 1, &most);
-    return most < 1 ? 1 : most;
+    glGetInternalformativ(GL_RENDERBUFFER, internal, GL_NUM_SAMPLE_COUNTS, 1, &count);
+    if (count > 0)
+        glGetInternalformativ(GL_RENDERBUFFER, internal, GL_SAMPLES, SAMPLES_MAX, counts);
+    for (int i = 0; i < count && i < SAMPLES_MAX; i++)
+        if (counts[i] >= 1 && counts[i] <= SAMPLES_MAX)
+            found |= (uint64_t)1 << (counts[i] - 1);
+    return found;
 }
 
-static int check_samples(const cupola_gl *gl, struct cupola_error *error)
+static int refuse_samples(const cupola_gl *gl, uint64_t counts, struct cupola_error *error)
+{
+    char list[4 * SAMPLES_MAX] = "";
+    int most = 1;
+    for (int n = 1; n <= SAMPLES_MAX; n++) {
+        size_t length = strlen(list);
+        if (!(counts >> (n - 1) & 1))
+            continue;
+        snprintf(list + length, sizeof list - length, "%s%d", n > 1 ? ", " : "", n);
+        most = n;
+    }
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "samples is %d; allowed by this GL for views of %s with depth %s: 0 to %d, of "
+                     "which it has %s",
+                     gl->params.samples, colors[gl->params.format].name,
+                     depths[gl->params.depth].name, most, list);
+}
+
+/* The smallest number, at least the one wished, that colour and depth may both have. */
+static int choose_samples(const cupola_gl *gl, int *samples, struct cupola_error *error)
 {
     GLenum depth = depths[gl->params.depth].internal;
-    GLint most = samples_most(gl, colors[gl->params.format].internal);
-    if (depth != GL_NONE) {
-        GLint most_of_depth = samples_most(gl, depth);
-        most = most < most_of_depth ? most : most_of_depth;
-    }
-    if (gl->params.samples >= 0 && gl->params.samples <= most)
-        return CUPOLA_OK;
-    return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                     "samples is %d; allowed by this GL for views of %s with depth %s: 0 to %d",
-                     gl->params.samples, colors[gl->params.format].name,
-                     depths[gl->params.depth].name, most);
+    uint64_t counts = sample_counts(gl, colors[gl->params.format].internal);
+    if (depth != GL_NONE)
+        counts &= sample_counts(gl, depth);
+    if (gl->params.samples < 0)
+        return refuse_samples(gl, counts, error);
+    for (int n = gl->params.samples > 1 ? gl->params.samples : 1; n <= SAMPLES_MAX; n++)
+        if (counts >> (n - 1) & 1) {
+            *samples = n;
+            return CUPOLA_OK;
+        }
+    return refuse_samples(gl, counts, error);
 }
 
 /* A renderbuffer of the atlas' size. 0 on failure. */
@@ -154,14 +183,14 @@ static int create_framebuffer(cupola_gl *gl, struct cupola_error *error)
 }
 
 /* Renderbuffers for several samples, and the framebuffer that they are resolved into. */
-static int create_samples(cupola_gl *gl, struct cupola_error *error)
+static int create_samples(cupola_gl *gl, int samples, struct cupola_error *error)
 {
     gl->resolved = framebuffer_create(gl->atlas, colors[gl->params.format].in_words, error);
     if (!gl->resolved)
         return error->status;
     guest_name(&gl->guest, GL_FRAMEBUFFER, gl->resolved, "resolved views");
-    gl->samples = renderbuffer_create(gl, colors[gl->params.format].internal, gl->params.samples,
-                                      "color", error);
+    gl->samples =
+        renderbuffer_create(gl, colors[gl->params.format].internal, samples, "color", error);
     return gl->samples ? CUPOLA_OK : (int)error->status;
 }
 
@@ -169,19 +198,19 @@ int views_create(cupola_gl *gl, struct cupola_error *error)
 {
     int width = gl->plan.report.atlas_width_px, height = gl->plan.report.atlas_height_px;
     const GLfloat black[4] = {0, 0, 0, 0};
-    int status = check_format(gl, error);
-    if (status != CUPOLA_OK || (status = check_samples(gl, error)) != CUPOLA_OK)
+    int samples = 1, status = check_format(gl, error);
+    if (status != CUPOLA_OK || (status = choose_samples(gl, &samples, error)) != CUPOLA_OK)
         return status;
     gl->atlas = texture_create(colors[gl->params.format].internal, width, height, GL_LINEAR, error);
     if (!gl->atlas)
         return error->status;
     guest_name(&gl->guest, GL_TEXTURE, gl->atlas, "views, %d x %d px %s", width, height,
                colors[gl->params.format].name);
-    if (gl->params.samples > 1 && (status = create_samples(gl, error)) != CUPOLA_OK)
+    if (samples > 1 && (status = create_samples(gl, samples, error)) != CUPOLA_OK)
         return status;
     if (depths[gl->params.depth].internal != GL_NONE) {
-        gl->depth = renderbuffer_create(gl, depths[gl->params.depth].internal, gl->params.samples,
-                                        "depth", error);
+        gl->depth =
+            renderbuffer_create(gl, depths[gl->params.depth].internal, samples, "depth", error);
         if (!gl->depth)
             return error->status;
     }
