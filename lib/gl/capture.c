@@ -65,7 +65,7 @@ int cupola_gl_capture(const struct cupola_target *target, int width, int height,
     if ((status = guest_check(&guest, error)) != CUPOLA_OK)
         return status;
     guest_begin(&guest, &work, "capture");
-    status = target_bind(&place, error);
+    status = target_bind(&guest, &place, error);
     if (status == CUPOLA_OK) {
         GLenum failure = read_pixels(&place, width, height, features.es, rgba);
         if (failure != GL_NO_ERROR)

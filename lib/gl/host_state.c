@@ -104,6 +104,14 @@ static void set_scissor(const struct host_features *features, const GLint s[4], 
     set_capability(GL_SCISSOR_TEST, test);
 }
 
+void host_target_forget_deleted(struct host_target *target)
+{
+    if (target->draw_framebuffer && !glIsFramebuffer((GLuint)target->draw_framebuffer))
+        target->draw_framebuffer = 0;
+    if (target->read_framebuffer && !glIsFramebuffer((GLuint)target->read_framebuffer))
+        target->read_framebuffer = 0;
+}
+
 void host_target_restore(const struct host_target *target, const struct host_features *features)
 {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)target->draw_framebuffer);
@@ -131,18 +139,28 @@ static void set_blend(const struct host_features *features, GLboolean on)
         glDisablei(GL_BLEND, 0);
 }
 
+/* Advanced equations (GL_KHR_blend_equation_advanced) cannot be set for colour and alpha apart. */
+static void set_blend_equation(const struct host_features *features, GLenum rgb, GLenum alpha)
+{
+    if (features->blend_per_buffer && rgb == alpha)
+        glBlendEquationi(0, rgb);
+    else if (features->blend_per_buffer)
+        glBlendEquationSeparatei(0, rgb, alpha);
+    else if (rgb == alpha)
+        glBlendEquation(rgb);
+    else
+        glBlendEquationSeparate(rgb, alpha);
+}
+
 static void set_blending(const struct host_features *features, const GLint equation[2],
                          const GLint factors[4])
 {
-    GLenum e[2] = {(GLenum)equation[0], (GLenum)equation[1]};
     GLenum f[4] = {(GLenum)factors[0], (GLenum)factors[1], (GLenum)factors[2], (GLenum)factors[3]};
-    if (features->blend_per_buffer) {
-        glBlendEquationSeparatei(0, e[0], e[1]);
+    set_blend_equation(features, (GLenum)equation[0], (GLenum)equation[1]);
+    if (features->blend_per_buffer)
         glBlendFuncSeparatei(0, f[0], f[1], f[2], f[3]);
-    } else {
-        glBlendEquationSeparate(e[0], e[1]);
+    else
         glBlendFuncSeparate(f[0], f[1], f[2], f[3]);
-    }
 }
 
 void host_set_adding(const struct host_features *features, bool adding)
@@ -240,6 +258,8 @@ static void save_fixed_function(struct host_state *state)
         ask(state, blend_equations[i], &state->blend_equation[i]);
     for (int i = 0; i < 4; i++)
         ask(state, blend_factors[i], &state->blend_factors[i]);
+    /* An advanced one is refused with our programs as long as any draw buffer blends. */
+    set_blend_equation(state->features, GL_FUNC_ADD, GL_FUNC_ADD);
     save_color_masks(state);
     if (state->kept)
         glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
@@ -363,8 +383,10 @@ static void restore_pixel_transfer(const struct host_state *state)
 
 void host_state_restore(const struct host_state *state)
 {
-    if (!state->kept)
+    if (!state->kept) {
+        host_set_encoding(state->features, false);
         return;
+    }
     restore_pixel_transfer(state);
     restore_bindings(state);
     restore_fixed_function(state);

@@ -96,6 +96,8 @@ struct host_state {
 void host_features_find(struct host_features *features);
 
 void host_target_save(struct host_target *target);
+/* What the host has deleted in the meantime is no longer bound, as if we had not been there. */
+void host_target_forget_deleted(struct host_target *target);
 void host_target_restore(const struct host_target *target, const struct host_features *features);
 
 /*
@@ -106,7 +108,7 @@ void host_target_restore(const struct host_target *target, const struct host_fea
 void host_state_save(struct host_state *state, const struct host_features *features);
 void host_state_restore(const struct host_state *state);
 
-/* Sets the same without asking; host_state_restore does nothing then. */
+/* Sets the same without asking; host_state_restore then only ends the encoding of sRGB. */
 void host_state_set(struct host_state *state, const struct host_features *features);
 
 /* Between saving and restoring: adds what is drawn to what is there; alpha stays. */

@@ -6,16 +6,6 @@ GLboolean host_encoding_is_on(const struct host_features *features)
     return features->srgb_always ? GL_TRUE : glIsEnabled(GL_FRAMEBUFFER_SRGB);
 }
 
-void host_encoding_set(const struct host_features *features, GLboolean on)
-{
-    if (features->srgb_always)
-        return;
-    if (on)
-        glEnable(GL_FRAMEBUFFER_SRGB);
-    else
-        glDisable(GL_FRAMEBUFFER_SRGB);
-}
-
 /* Clears use the mask of front faces; that of back faces stays. */
 GLuint host_stencil_unmask(bool asked)
 {

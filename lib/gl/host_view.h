@@ -9,7 +9,6 @@
  * OpenGL ES without GL_EXT_sRGB_write_control it is always on.
  */
 GLboolean host_encoding_is_on(const struct host_features *features);
-void host_encoding_set(const struct host_features *features, GLboolean on);
 
 /* The stencil's write mask as clears use it: the first lets all bits through and, asked, returns
  * what it was. */

@@ -72,18 +72,20 @@ static bool near_enough(int at)
     return at >= -CORNER_MAX && at <= CORNER_MAX;
 }
 
-int target_bind(const struct cupola_target *place, struct cupola_error *error)
+int target_bind(const struct guest *guest, const struct cupola_target *place,
+                struct cupola_error *error)
 {
     GLuint framebuffer = place->framebuffer;
+    bool asked = !guest->leaves_state;
     if (!near_enough(place->x) || !near_enough(place->y))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "target's corner is (%d, %d) px; allowed: -%d to %d each way", place->x,
                          place->y, CORNER_MAX, CORNER_MAX);
-    if (framebuffer && !glIsFramebuffer(framebuffer))
+    if (asked && framebuffer && !glIsFramebuffer(framebuffer))
         return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u does not exist",
                          framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    if (asked && glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
                          framebuffer);
     return CUPOLA_OK;

@@ -149,7 +149,7 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
  */
 bool texture_bind(GLenum target, GLuint name);
 
-/* The same without being left bound; where the host's state is left, only whether it is a name. */
+/* The same without being left bound; where the host's state is left, the host vouches for it. */
 bool texture_found(const struct guest *guest, GLenum target, GLuint name);
 
 /*
@@ -184,10 +184,12 @@ GLuint table_upload(const cupola_gl *gl, int output, enum cupola_table stage,
 
 /*
  * Binds a host's framebuffer for drawing and reading; CUPOLA_ERROR_GL, and no error left in the GL,
- * if there is none of that name or it is not complete, CUPOLA_ERROR_ARGUMENT if its corner is
- * farther away than numbers of pixels can be added to it.
+ * if there is none of that name or it is not complete, for which the host vouches where its state is
+ * left; CUPOLA_ERROR_ARGUMENT if its corner is farther away than numbers of pixels can be added to
+ * it.
  */
-int target_bind(const struct cupola_target *place, struct cupola_error *error);
+int target_bind(const struct guest *guest, const struct cupola_target *place,
+                struct cupola_error *error);
 
 /*
  * For the framebuffer that target_bind has bound: CUPOLA_ERROR_ARGUMENT if one of its colours is a

@@ -156,7 +156,7 @@ static int prepare_target(const cupola_gl *gl, int output, const struct cupola_o
     if (status == CUPOLA_OK && gain)
         status = gain_check(gl, output, error);
     if (status == CUPOLA_OK)
-        status = target_bind(place, error);
+        status = target_bind(&gl->guest, place, error);
     if (status != CUPOLA_OK || gl->guest.leaves_state)
         return status; /* what is attached to the target would have to be asked for */
     status = check_sampled(framebuffer, overlays, count, error);
@@ -169,7 +169,7 @@ static int prepare_target(const cupola_gl *gl, int output, const struct cupola_o
     return status;
 }
 
-/* Filtered not by the texture's own parameters. Returns width by height; 0: not known. */
+/* Its own filter and wrap parameters do not count. Returns width by height; 0: not known. */
 static double bind_picture(const cupola_gl *gl, const struct cupola_overlay *overlay)
 {
     GLint size[3];

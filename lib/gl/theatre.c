@@ -357,7 +357,7 @@ static int theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     guest_begin(&theatre->guest, &work, "theatre");
     status = check_images(theatre, images, error);
     if (status == CUPOLA_OK)
-        status = target_bind(&place, error);
+        status = target_bind(&theatre->guest, &place, error);
     if (status == CUPOLA_OK)
         status =
             target_check_sampled(place.framebuffer, images, theatre->dome.rig.output_count, error);

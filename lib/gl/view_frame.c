@@ -44,7 +44,7 @@ static void clear_view(const cupola_gl *gl)
     bool stencil = views_have_stencil(gl), kept = !gl->guest.leaves_state;
     GLuint stencil_mask = stencil ? host_stencil_unmask(kept) : 0;
     if (gl->params.format == CUPOLA_FORMAT_SRGB8)
-        host_encoding_set(&gl->features, GL_TRUE); /* host_state_restore puts it back */
+        host_set_encoding(&gl->features, true); /* until host_state_restore */
     glClearBufferfv(GL_COLOR, 0, frame->clear_color);
     if (stencil)
         glClearBufferfi(GL_DEPTH_STENCIL, 0, farthest, 0);
@@ -104,16 +104,15 @@ static void resolve_view(const cupola_gl *gl)
 {
     const struct cupola_rect *rect = &gl->open_rect;
     int right = rect->x + rect->width, top = rect->y + rect->height;
-    bool kept = !gl->guest.leaves_state;
-    GLboolean encoding = kept && host_encoding_is_on(&gl->features);
-    host_encoding_set(&gl->features, GL_TRUE);
+    bool encoding = !gl->guest.leaves_state && host_encoding_is_on(&gl->features);
+    host_set_encoding(&gl->features, true);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, gl->framebuffer);
+    glReadBuffer(GL_COLOR_ATTACHMENT0); /* the host may have read something else */
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, gl->resolved);
     host_set_area(&gl->features, rect->x, rect->y, rect->width, rect->height);
     glBlitFramebuffer(rect->x, rect->y, right, top, rect->x, rect->y, right, top,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    if (kept)
-        host_encoding_set(&gl->features, encoding);
+    host_set_encoding(&gl->features, encoding);
 }
 
 static int view_end(cupola_gl *gl, struct cupola_error *error)
@@ -129,8 +128,10 @@ static int view_end(cupola_gl *gl, struct cupola_error *error)
         return status;
     if (gl->resolved)
         resolve_view(gl);
-    if (!gl->guest.leaves_state)
+    if (!gl->guest.leaves_state) {
+        host_target_forget_deleted(&gl->host_target);
         host_target_restore(&gl->host_target, &gl->features);
+    }
     guest_group_close(&gl->guest, gl->view_grouped);
     gl->view_open = false;
     gl->views_drawn = true;

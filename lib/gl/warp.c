@@ -263,7 +263,7 @@ static int check_sampled(const cupola_gl *gl, int output, const struct cupola_so
     if (status == CUPOLA_OK && pass->gain)
         status = gain_check(gl, output, error);
     if (status == CUPOLA_OK)
-        status = target_bind(place, error);
+        status = target_bind(&gl->guest, place, error);
     if (status != CUPOLA_OK || gl->guest.leaves_state)
         return status; /* what is attached to the target would have to be asked for */
     status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);

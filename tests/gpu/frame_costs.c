@@ -95,12 +95,18 @@ static void frames_allocate_and_compile_nothing(void **state)
                                           .samples = 2,
                                           .encoding = CUPOLA_ENCODING_SRGB};
     check_costs(&rich, "several samples");
+    for (int storage = CUPOLA_STORAGE_TEXTURES; storage <= CUPOLA_STORAGE_LAYERS; storage++) {
+        const struct cupola_gl_params host = {.storage = (enum cupola_storage)storage};
+        check_costs(&host, storage == CUPOLA_STORAGE_LAYERS ? "host's layers" : "host's textures");
+    }
 }
 
-static int questions_of_a_frame(bool leaves_state)
+static int questions_of_a_frame(enum cupola_storage storage, bool leaves_state)
 {
-    const struct cupola_gl_params params = {
-        .depth = CUPOLA_DEPTH_24_STENCIL_8, .samples = 2, .leaves_state = leaves_state};
+    const struct cupola_gl_params params = {.depth = CUPOLA_DEPTH_24_STENCIL_8,
+                                            .samples = 2,
+                                            .storage = storage,
+                                            .leaves_state = leaves_state};
     struct guest_house house;
     guest_house_build(&house);
     assert_int_equal(guest_gl_create(&house, &params, NULL), CUPOLA_OK);
@@ -117,10 +123,13 @@ static int questions_of_a_frame(bool leaves_state)
 static void frames_that_leave_the_state_ask_for_nothing(void **state)
 {
     (void)state;
-    int asked = questions_of_a_frame(false);
-    printf("  %d questions to the GL in a frame that keeps the host's state\n", asked);
-    check_at_least(asked, 100); /* the control */
-    assert_int_equal(questions_of_a_frame(true), 0);
+    for (int i = CUPOLA_STORAGE_ATLAS; i <= CUPOLA_STORAGE_LAYERS; i++) {
+        enum cupola_storage storage = (enum cupola_storage)i;
+        int asked = questions_of_a_frame(storage, false);
+        printf("  %d questions to the GL in a frame that keeps the host's state\n", asked);
+        check_at_least(asked, 100); /* the control */
+        assert_int_equal(questions_of_a_frame(storage, true), 0);
+    }
 }
 
 int main(void)

@@ -37,6 +37,20 @@ static void make_gain(struct guest_house *house)
     glBindTexture(GL_TEXTURE_2D, 0);
 }
 
+static void make_view_textures(struct guest_house *house)
+{
+    enum { SIDE = 8 };
+    static const unsigned char texels[4 * SIDE * SIDE * CUPOLA_VIEWS_MAX] = {9, 99, 199, 255};
+    glGenTextures(2, house->view_textures);
+    glBindTexture(GL_TEXTURE_2D, house->view_textures[0]);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, SIDE, SIDE, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, house->view_textures[1]);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, SIDE, SIDE, CUPOLA_VIEWS_MAX, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, texels);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+}
+
 static void make_target(struct guest_house *house)
 {
     glGenTextures(1, &house->target_texture);
@@ -68,6 +82,7 @@ void guest_house_build_for(struct guest_house *house, int projectors)
     for (int i = 0; i < GUEST_PICTURES; i++)
         make_picture(&house->pictures[i], (enum cupola_source_kind)(CUPOLA_SOURCE_DOMEMASTER + i));
     make_gain(house);
+    make_view_textures(house);
     make_target(house);
     assert_int_equal(glGetError(), GL_NO_ERROR);
 }
@@ -81,6 +96,7 @@ void guest_house_release(struct guest_house *house)
     for (int i = 0; i < GUEST_PICTURES; i++)
         glDeleteTextures(1, &house->pictures[i].texture);
     glDeleteTextures(1, &house->gain);
+    glDeleteTextures(2, house->view_textures);
     glDeleteTextures(1, &house->target_texture);
     glDeleteFramebuffers(1, &house->target.framebuffer);
 }
@@ -93,11 +109,24 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
     if (!wished.sources)
         wished.sources = 1u << CUPOLA_SOURCE_VIEWS | 1u << CUPOLA_SOURCE_DOMEMASTER |
                          1u << CUPOLA_SOURCE_EQUIRECTANGULAR | 1u << CUPOLA_SOURCE_CUBE;
+    house->storage = wished.storage;
     return cupola_gl_create(house->plan, &wished, &house->gl, error);
+}
+
+int guest_import(struct guest_house *house, struct cupola_error *error)
+{
+    bool layers = house->storage == CUPOLA_STORAGE_LAYERS;
+    struct cupola_view_image images[CUPOLA_VIEWS_MAX];
+    for (int i = 0; i < CUPOLA_VIEWS_MAX; i++)
+        images[i] =
+            (struct cupola_view_image){house->view_textures[layers], layers ? i : 0, {0, 0, 0, 0}};
+    return cupola_gl_views_import(house->gl, images, error);
 }
 
 int guest_views(struct guest_house *house, struct cupola_error *error)
 {
+    if (house->storage != CUPOLA_STORAGE_ATLAS)
+        return guest_import(house, error);
     int views = cupola_gl_frame_begin(house->gl, NULL, error);
     for (int i = 0; i < views; i++) {
         int status = cupola_gl_view_begin(house->gl, i, NULL, error);

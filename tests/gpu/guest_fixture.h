@@ -16,6 +16,8 @@ struct guest_house {
     cupola_theatre *theatre; /* NULL until it is made */
     struct cupola_source pictures[GUEST_PICTURES];
     GLuint gain;
+    enum cupola_storage storage; /* of gl */
+    GLuint view_textures[2];     /* of the host's: a 2-D texture, an array */
     struct cupola_target target;
     GLuint target_texture;
 };
@@ -30,11 +32,12 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
                     struct cupola_error *error);
 
 /*
- * One frame: the views, drawn by clears, then each source warped over the one before, then
- * overlays. With a status below 0 it ends, and that is what it returns.
+ * One frame: the views, drawn by clears or imported, then each source warped over the one before,
+ * then overlays. With a status below 0 it ends, and that is what it returns.
  */
 int guest_frame(struct guest_house *house, struct cupola_error *error);
 int guest_views(struct guest_house *house, struct cupola_error *error);
+int guest_import(struct guest_house *house, struct cupola_error *error);
 int guest_warp(struct guest_house *house, int picture, struct cupola_error *error); /* -1: views */
 int guest_overlays(struct guest_house *house, struct cupola_error *error);
 int guest_theatre(struct guest_house *house, struct cupola_error *error);

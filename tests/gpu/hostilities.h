@@ -134,6 +134,12 @@ static void set_blend(void)
     glBlendColor(0.1f, 0.2f, 0.3f, 0.4f);
 }
 
+static void set_blend_advanced(void)
+{
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_MULTIPLY_KHR);
+}
+
 static void set_blend_of_second_buffer(void)
 {
     glEnablei(GL_BLEND, 1);
@@ -319,6 +325,8 @@ static const struct hostility {
     {"clip distances", set_clip_distances, 33, NULL, NO_VERSION, "GL_EXT_clip_cull_distance",
      MAY_MATTER},
     {"blending", set_blend, 33, NULL, 30, NULL, MATTERS},
+    {"advanced blending", set_blend_advanced, NO_VERSION, "GL_KHR_blend_equation_advanced", 32,
+     "GL_KHR_blend_equation_advanced", MATTERS},
     {"blending of the second buffer", set_blend_of_second_buffer, 40, "GL_ARB_draw_buffers_blend",
      32, "GL_OES_draw_buffers_indexed", MATTERS},
     {"color mask", set_color_mask, 33, NULL, 30, NULL, MATTERS},

@@ -147,7 +147,11 @@ ASKS(GetInternalformativ, n, GLint,
      (target, format, name, n, values))
 ASKS(GetProgramiv, 1, GLint, (GLuint program, GLenum name, GLint *values), (program, name, values))
 ASKS(GetShaderiv, 1, GLint, (GLuint shader, GLenum name, GLint *values), (shader, name, values))
+ASKS(GetInteger64v, 1, GLint64, (GLenum name, GLint64 *values), (name, values))
 ANSWERS(IsEnabled, GLboolean, 77, (GLenum a), (a))
+ANSWERS(IsFramebuffer, GLboolean, 77, (GLuint a), (a))
+ANSWERS(IsProgram, GLboolean, 77, (GLuint a), (a))
+ANSWERS(IsTexture, GLboolean, 77, (GLuint a), (a))
 ANSWERS(GetUniformLocation, GLint, GARBAGE, (GLuint a, const GLchar *b), (a, b))
 RESETS(GetGraphicsResetStatus)
 RESETS(GetGraphicsResetStatusKHR)
@@ -208,6 +212,7 @@ static GLenum (*real_CheckFramebufferStatus)(GLenum target);
 static GLenum hook_CheckFramebufferStatus(GLenum target)
 {
     count_call();
+    interposed.asked++;
     if (fails(GL_NO_ERROR))
         return GL_FRAMEBUFFER_UNSUPPORTED;
     if (interposed.lost)
@@ -274,6 +279,10 @@ static GLuint hook_CreateProgram(void)
     X(GetInternalformativ)                                                                         \
     X(GetProgramiv)                                                                                \
     X(GetShaderiv)                                                                                 \
+    X(GetInteger64v)                                                                               \
+    X(IsFramebuffer)                                                                               \
+    X(IsProgram)                                                                                   \
+    X(IsTexture)                                                                                   \
     X(IsEnabled)                                                                                   \
     X(GetUniformLocation)                                                                          \
     X(GetGraphicsResetStatus)                                                                      \

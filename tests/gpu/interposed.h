@@ -12,7 +12,7 @@
 enum { GARBAGE = -1234567 };
 
 struct interposed {
-    int asked;        /* calls that ask the GL for something: glGet..., glIsEnabled */
+    int asked;        /* calls that ask the GL for something: glGet..., glIs..., glCheck... */
     int resets_asked; /* of those, whether the context was lost */
     int made;         /* calls that make objects, storage, shaders and programs */
     int called;       /* all of those, and clears, draws, groups and framebuffers bound */

@@ -101,7 +101,7 @@ enum cupola_table {
 struct cupola_gl_params {
     enum cupola_format format;      /* of the views; 0: RGBA8. Not asked of a host's textures */
     enum cupola_depth_format depth; /* of the views; 0: 32F. Likewise */
-    int samples;                    /* per texel of a view; view_end resolves them. 0, 1: one */
+    int samples;                    /* per texel of a view, at least; 0, 1: one */
     enum cupola_storage storage;    /* 0: the atlas. Others not with the coordinates' table */
     enum cupola_table table;        /* 0: points */
     enum cupola_encoding encoding;  /* of what the warp writes; 0: linear */
@@ -114,7 +114,8 @@ struct cupola_gl_params {
     bool overlays; /* cupola_gl_overlay will be called (overlay.h): its program is made, too */
     /* For hosts that set all of their state before they draw again: frames neither ask for the GL's
      * state nor put it back, which is then what the call needed, and trust the host about what only
-     * the GL could tell of textures and targets. docs/host-contract.md has both lists. */
+     * the GL could tell of textures and targets, that they exist included.
+     * docs/host-contract.md has both lists. */
     bool leaves_state;
     struct cupola_log log; /* who is told what happens (log.h); all zero: nobody */
 };
@@ -131,6 +132,7 @@ struct cupola_gl_params {
  *          the table of coordinates is wished for the host's textures, or the atlas or an output is
  *          larger than this GL's textures may be
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
+ *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, or has no views
  *          of that format
@@ -167,6 +169,7 @@ struct cupola_frame {
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views or for the host's textures, or
  *          the distances are not as said in plan.h
  *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_LOST if that was seen by an earlier call
  * thread   the context's
  * since    0.1
  */
@@ -191,6 +194,7 @@ struct cupola_gl_view {
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL or there is no such view
  *          CUPOLA_ERROR_ORDER before frame_begin or inside a view
  *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
  * thread   the context's
  * since    0.1
  */
@@ -206,6 +210,7 @@ CUPOLA_API int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_v
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL
  *          CUPOLA_ERROR_ORDER outside of a view
  *          CUPOLA_ERROR_CONTEXT, and the view stays open
+ *          CUPOLA_ERROR_LOST, and it does not
  * thread   the context's
  * since    0.1
  */
@@ -222,9 +227,9 @@ struct cupola_view_image {
 
 /*
  * Says where the host's own views are. They are drawn with the matrices of cupola_plan_camera, and
- * sampled bilinearly by a sampler object of Cupola's; the textures' own parameters do not count.
- * Holds until the next call; nothing is copied, and the textures must live as long as warps show
- * them. May be called in every frame.
+ * sampled bilinearly by a sampler object of Cupola's; the textures' own filter and wrap parameters
+ * do not count, their base level and swizzles do. Holds until the next call; nothing is copied, and
+ * the textures must live as long as warps show them. May be called in every frame.
  *
  * images   one for each view of the plan
  * error    may be NULL
@@ -235,6 +240,7 @@ struct cupola_view_image {
  *          asked in OpenGL ES 3.0 (3.1 can): there layers and rectangles are checked against the
  *          largest that the GL allows
  *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
  * thread   the context's
  * since    0.1
  */
@@ -257,6 +263,8 @@ CUPOLA_API int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_im
  *          of another size (not asked for in OpenGL ES 3.0: see docs/host-contract.md)
  *          CUPOLA_ERROR_ORDER inside a view
  *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
+ *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a shader: the first call for an output makes programs
  * thread   the context's
  * since    0.1
@@ -323,6 +331,7 @@ CUPOLA_API unsigned int cupola_gl_atlas(const cupola_gl *gl);
  *          than this GL's textures may be
  *          CUPOLA_ERROR_ORDER inside a view
  *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader
  * thread   the context's
@@ -343,6 +352,7 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if rgba is NULL, or a side or the corner is not as said above
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
+ *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_GL if the framebuffer does not exist, is not complete, has several samples
  *          per pixel or no colour to read
  * thread   the context's
