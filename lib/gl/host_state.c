@@ -139,24 +139,33 @@ static void set_blend(const struct host_features *features, GLboolean on)
         glDisablei(GL_BLEND, 0);
 }
 
-/* Advanced equations (GL_KHR_blend_equation_advanced) cannot be set for colour and alpha apart. */
-static void set_blend_equation(const struct host_features *features, GLenum rgb, GLenum alpha)
+static void set_blend_equations(const struct host_features *features, GLenum rgb, GLenum alpha)
 {
-    if (features->blend_per_buffer && rgb == alpha)
-        glBlendEquationi(0, rgb);
-    else if (features->blend_per_buffer)
+    if (features->blend_per_buffer)
         glBlendEquationSeparatei(0, rgb, alpha);
-    else if (rgb == alpha)
-        glBlendEquation(rgb);
     else
         glBlendEquationSeparate(rgb, alpha);
 }
 
-static void set_blending(const struct host_features *features, const GLint equation[2],
-                         const GLint factors[4])
+/*
+ * Advanced equations (GL_KHR_blend_equation_advanced) cannot be set for colour and alpha apart. No
+ * function is called here for the first time: in a context that is lost by now libepoxy would not
+ * find it.
+ */
+static void restore_blend_equations(const struct host_features *features, const GLint equation[2])
+{
+    GLenum rgb = (GLenum)equation[0], alpha = (GLenum)equation[1];
+    if (features->blend_per_buffer)
+        glBlendEquationi(0, rgb);
+    else
+        glBlendEquation(rgb);
+    if (alpha != rgb)
+        set_blend_equations(features, rgb, alpha);
+}
+
+static void set_blend_factors(const struct host_features *features, const GLint factors[4])
 {
     GLenum f[4] = {(GLenum)factors[0], (GLenum)factors[1], (GLenum)factors[2], (GLenum)factors[3]};
-    set_blend_equation(features, (GLenum)equation[0], (GLenum)equation[1]);
     if (features->blend_per_buffer)
         glBlendFuncSeparatei(0, f[0], f[1], f[2], f[3]);
     else
@@ -165,10 +174,9 @@ static void set_blending(const struct host_features *features, const GLint equat
 
 void host_set_adding(const struct host_features *features, bool adding)
 {
-    const GLint equation[2] = {GL_FUNC_ADD, GL_FUNC_ADD};
     const GLint factors[4] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE};
     if (adding)
-        set_blending(features, equation, factors);
+        set_blend_factors(features, factors);
     set_blend(features, adding);
 }
 
@@ -180,9 +188,8 @@ void host_set_encoding(const struct host_features *features, bool encoding)
 
 void host_set_over(const struct host_features *features, bool linear)
 {
-    const GLint equation[2] = {GL_FUNC_ADD, GL_FUNC_ADD};
     const GLint factors[4] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA};
-    set_blending(features, equation, factors);
+    set_blend_factors(features, factors);
     set_blend(features, GL_TRUE);
     if (linear && !features->srgb_always)
         glEnable(GL_FRAMEBUFFER_SRGB);
@@ -259,7 +266,7 @@ static void save_fixed_function(struct host_state *state)
     for (int i = 0; i < 4; i++)
         ask(state, blend_factors[i], &state->blend_factors[i]);
     /* An advanced one is refused with our programs as long as any draw buffer blends. */
-    set_blend_equation(state->features, GL_FUNC_ADD, GL_FUNC_ADD);
+    set_blend_equations(state->features, GL_FUNC_ADD, GL_FUNC_ADD);
     save_color_masks(state);
     if (state->kept)
         glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
@@ -340,7 +347,8 @@ static void restore_fixed_function(const struct host_state *state)
         if (state->features->capabilities[i])
             set_capability(capabilities[i].name, state->capabilities[i]);
     set_blend(state->features, state->blend);
-    set_blending(state->features, state->blend_equation, state->blend_factors);
+    restore_blend_equations(state->features, state->blend_equation);
+    set_blend_factors(state->features, state->blend_factors);
     restore_color_masks(state);
     glDepthMask(state->depth_mask);
     if (state->features->polygon_mode)
