@@ -184,9 +184,9 @@ GLuint table_upload(const cupola_gl *gl, int output, enum cupola_table stage,
 
 /*
  * Binds a host's framebuffer for drawing and reading; CUPOLA_ERROR_GL, and no error left in the GL,
- * if there is none of that name or it is not complete, for which the host vouches where its state is
- * left; CUPOLA_ERROR_ARGUMENT if its corner is farther away than numbers of pixels can be added to
- * it.
+ * if there is none of that name or it is not complete (for which the host vouches where its state
+ * is left); CUPOLA_ERROR_ARGUMENT if its corner is farther away than numbers of pixels can be added
+ * to it.
  */
 int target_bind(const struct guest *guest, const struct cupola_target *place,
                 struct cupola_error *error);

@@ -41,8 +41,8 @@ struct cupola_overlay {
     double roll_rad;
     /* A GL_TEXTURE_2D, its first row the lower edge, filtered by a sampler object of Cupola's; its
      * own filter and wrap parameters do not count. Its colour is premultiplied: in linear light,
-     * colour times alpha, and for a texture of an sRGB format encoded after that. Colour above alpha
-     * is light that is added, as of a glow. Not asked of the other kinds. */
+     * colour times alpha, and for a texture of an sRGB format encoded after that. Colour above
+     * alpha is light that is added, as of a glow. Not asked of the other kinds. */
     unsigned int texture;
     bool mipmaps; /* the texture has all its levels */
     /* Four floats: RGBA in linear light, 0 or more, alpha up to 1, not premultiplied; a picture is
