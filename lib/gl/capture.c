@@ -1,6 +1,7 @@
 /* Reading a target back. */
 #include "error.h"
-#include "instance.h"
+#include "guest.h"
+#include "target_gl.h"
 
 /* What the read buffer of the framebuffer that is bound consists of; GL_NONE: there is none. */
 static GLint read_buffer_type(void)

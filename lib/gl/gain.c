@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "gl_objects.h"
 #include "instance.h"
 
 GLint gain_unit(const cupola_gl *gl)

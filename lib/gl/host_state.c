@@ -1,6 +1,7 @@
 /* Saving and restoring of the host's GL state. */
 #include "host_state.h"
 
+#include "host_blend.h"
 #include "host_origin.h"
 
 /* Capabilities and what Cupola needs. */
@@ -129,70 +130,10 @@ void host_set_area(const struct host_features *features, GLint x, GLint y, GLsiz
     set_scissor(features, scissor, GL_TRUE);
 }
 
-static void set_blend(const struct host_features *features, GLboolean on)
-{
-    if (!features->mask_per_buffer)
-        set_capability(GL_BLEND, on);
-    else if (on)
-        glEnablei(GL_BLEND, 0);
-    else
-        glDisablei(GL_BLEND, 0);
-}
-
-static void set_blend_equations(const struct host_features *features, GLenum rgb, GLenum alpha)
-{
-    if (features->blend_per_buffer)
-        glBlendEquationSeparatei(0, rgb, alpha);
-    else
-        glBlendEquationSeparate(rgb, alpha);
-}
-
-/*
- * Advanced equations (GL_KHR_blend_equation_advanced) cannot be set for colour and alpha apart. No
- * function is called here for the first time: in a context that is lost by now libepoxy would not
- * find it.
- */
-static void restore_blend_equations(const struct host_features *features, const GLint equation[2])
-{
-    GLenum rgb = (GLenum)equation[0], alpha = (GLenum)equation[1];
-    if (features->blend_per_buffer)
-        glBlendEquationi(0, rgb);
-    else
-        glBlendEquation(rgb);
-    if (alpha != rgb)
-        set_blend_equations(features, rgb, alpha);
-}
-
-static void set_blend_factors(const struct host_features *features, const GLint factors[4])
-{
-    GLenum f[4] = {(GLenum)factors[0], (GLenum)factors[1], (GLenum)factors[2], (GLenum)factors[3]};
-    if (features->blend_per_buffer)
-        glBlendFuncSeparatei(0, f[0], f[1], f[2], f[3]);
-    else
-        glBlendFuncSeparate(f[0], f[1], f[2], f[3]);
-}
-
-void host_set_adding(const struct host_features *features, bool adding)
-{
-    const GLint factors[4] = {GL_ONE, GL_ONE, GL_ZERO, GL_ONE};
-    if (adding)
-        set_blend_factors(features, factors);
-    set_blend(features, adding);
-}
-
 void host_set_encoding(const struct host_features *features, bool encoding)
 {
     if (!features->srgb_always)
         set_capability(GL_FRAMEBUFFER_SRGB, encoding);
-}
-
-void host_set_over(const struct host_features *features, bool linear)
-{
-    const GLint factors[4] = {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA};
-    set_blend_factors(features, factors);
-    set_blend(features, GL_TRUE);
-    if (linear && !features->srgb_always)
-        glEnable(GL_FRAMEBUFFER_SRGB);
 }
 
 /* Questions about the host's state, where it is kept. */
@@ -260,13 +201,13 @@ static void save_fixed_function(struct host_state *state)
         set_capability(capabilities[i].name, capabilities[i].wanted);
     }
     state->blend = is_on(state, GL_BLEND); /* of draw buffer 0 where there are several */
-    set_blend(state->features, GL_FALSE);
+    host_blend_set(state->features, GL_FALSE);
     for (int i = 0; i < 2; i++)
         ask(state, blend_equations[i], &state->blend_equation[i]);
     for (int i = 0; i < 4; i++)
         ask(state, blend_factors[i], &state->blend_factors[i]);
     /* An advanced one is refused with our programs as long as any draw buffer blends. */
-    set_blend_equations(state->features, GL_FUNC_ADD, GL_FUNC_ADD);
+    host_blend_equations_set(state->features, GL_FUNC_ADD, GL_FUNC_ADD);
     save_color_masks(state);
     if (state->kept)
         glGetBooleanv(GL_DEPTH_WRITEMASK, &state->depth_mask);
@@ -346,9 +287,9 @@ static void restore_fixed_function(const struct host_state *state)
     for (int i = 0; i < CAPABILITY_COUNT; i++)
         if (state->features->capabilities[i])
             set_capability(capabilities[i].name, state->capabilities[i]);
-    set_blend(state->features, state->blend);
-    restore_blend_equations(state->features, state->blend_equation);
-    set_blend_factors(state->features, state->blend_factors);
+    host_blend_set(state->features, state->blend);
+    host_blend_equations_restore(state->features, state->blend_equation);
+    host_blend_factors_set(state->features, state->blend_factors);
     restore_color_masks(state);
     glDepthMask(state->depth_mask);
     if (state->features->polygon_mode)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "gl_objects.h"
 #include "log.h"
 #include "names.h"
 
@@ -14,10 +15,7 @@ static const char *const table_names[] = {
     [CUPOLA_TABLE_COORDINATES] = "coordinates",
 };
 
-enum {
-    TABLE_COUNT = sizeof table_names / sizeof table_names[0],
-    COLORS_MAX = 32, /* as many as the GL has names for */
-};
+enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0] };
 
 const char *cupola_table_name(int table)
 {
@@ -27,125 +25,6 @@ const char *cupola_table_name(int table)
 int cupola_table_find(const char *name)
 {
     return number_of_name(table_names, TABLE_COUNT, name);
-}
-
-GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
-                      struct cupola_error *error)
-{
-    GLuint texture = 0;
-    GLint largest = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-    if (width_px > largest || height_px > largest) {
-        error_set(error, CUPOLA_ERROR_ARGUMENT,
-                  "a texture of %d x %d px is needed; allowed by this GL: up to %d each way",
-                  width_px, height_px, largest);
-        return 0;
-    }
-    gl_errors_drop();
-    glGenTextures(1, &texture);
-    if (!texture) {
-        gl_refused(glGetError(), error, "a texture's name");
-        return 0;
-    }
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLint)filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    bool bytes = internal_format == GL_RGBA8 || internal_format == GL_SRGB8_ALPHA8;
-    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width_px, height_px, 0, GL_RGBA,
-                 bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, NULL);
-    GLenum failure = glGetError();
-    if (failure == GL_NO_ERROR)
-        return texture;
-    glDeleteTextures(1, &texture);
-    gl_refused(failure, error, "a texture of %d x %d px", width_px, height_px);
-    return 0;
-}
-
-/* As far as a float counts pixels. */
-enum { CORNER_MAX = 1 << 24 };
-
-static bool near_enough(int at)
-{
-    return at >= -CORNER_MAX && at <= CORNER_MAX;
-}
-
-int target_bind(const struct guest *guest, const struct cupola_target *place,
-                struct cupola_error *error)
-{
-    GLuint framebuffer = place->framebuffer;
-    bool asked = !guest->leaves_state;
-    if (!near_enough(place->x) || !near_enough(place->y))
-        return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "target's corner is (%d, %d) px; allowed: -%d to %d each way", place->x,
-                         place->y, CORNER_MAX, CORNER_MAX);
-    if (asked && framebuffer && !glIsFramebuffer(framebuffer))
-        return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u does not exist",
-                         framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    if (asked && glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
-                         framebuffer);
-    return CUPOLA_OK;
-}
-
-/* The name of the texture that is the bound framebuffer's colour of an index; 0 if none is. */
-static GLuint color_texture(int index)
-{
-    GLenum place = (GLenum)(GL_COLOR_ATTACHMENT0 + index);
-    GLint type = GL_NONE, name = 0;
-    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, place,
-                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-    if (type == GL_TEXTURE)
-        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, place,
-                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
-    return (GLuint)name;
-}
-
-int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
-                         struct cupola_error *error)
-{
-    GLint colors = 0;
-    if (!framebuffer)
-        return CUPOLA_OK; /* the default framebuffer has no textures */
-    glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &colors);
-    if (colors > COLORS_MAX)
-        colors = COLORS_MAX;
-    for (int i = 0; i < colors; i++) {
-        GLuint attached = color_texture(i);
-        for (int k = 0; attached && k < count; k++)
-            if (textures[k] == attached)
-                return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                                 "target's framebuffer %u has texture %u, which is sampled, as its "
-                                 "color attachment %d; allowed: other textures",
-                                 framebuffer, attached, i);
-    }
-    return CUPOLA_OK;
-}
-
-GLuint framebuffer_create(GLuint texture, const char *what, struct cupola_error *error)
-{
-    GLuint framebuffer = 0;
-    glGenFramebuffers(1, &framebuffer);
-    if (!framebuffer) {
-        gl_refused(glGetError(), error, "a framebuffer's name");
-        return 0;
-    }
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE)
-        return framebuffer;
-    glDeleteFramebuffers(1, &framebuffer);
-    error_set(error, CUPOLA_ERROR_GL, "the GL cannot draw into %s", what);
-    return 0;
-}
-
-void draw_fullscreen(GLuint vertex_array)
-{
-    glBindVertexArray(vertex_array);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 static int check_params(const struct cupola_gl_params *params, struct cupola_error *error)

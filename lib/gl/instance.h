@@ -143,22 +143,6 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
                     struct cupola_error *error);
 
 /*
- * Binds a texture to the active unit; false, and no error left in the GL, if there is none of that
- * name or it is of another kind. The target is GL_TEXTURE_2D, GL_TEXTURE_2D_ARRAY or
- * GL_TEXTURE_CUBE_MAP.
- */
-bool texture_bind(GLenum target, GLuint name);
-
-/* The same without being left bound; where the host's state is left, the host vouches for it. */
-bool texture_found(const struct guest *guest, GLenum target, GLuint name);
-
-/*
- * Width, height and layers of the base level of a texture that is bound. False where the GL cannot
- * be asked, as OpenGL ES 3.0; a texture without texels has size 0.
- */
-bool texture_size(const struct host_features *features, GLenum target, GLint size[3]);
-
-/*
  * The texture units of the warp: the picture or the views' first texture, the table, further
  * textures of views, the gain.
  */
@@ -175,58 +159,15 @@ void view_images_bind(const cupola_gl *gl, const struct warp_program *program);
 int gain_check(const cupola_gl *gl, int output, struct cupola_error *error);
 void gain_bind(const cupola_gl *gl, int output);
 
+/* A stage's table of one output, in whatever way the GL allows. 0 on failure. */
+GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
+                    struct cupola_error *error);
+
 /*
  * A stage's table of one output by the C functions, for GLs that cannot draw into floats. 0 on
  * failure.
  */
 GLuint table_upload(const cupola_gl *gl, int output, enum cupola_table stage,
                     struct cupola_error *error);
-
-/*
- * Binds a host's framebuffer for drawing and reading; CUPOLA_ERROR_GL, and no error left in the GL,
- * if there is none of that name or it is not complete (for which the host vouches where its state
- * is left); CUPOLA_ERROR_ARGUMENT if its corner is farther away than numbers of pixels can be added
- * to it.
- */
-int target_bind(const struct guest *guest, const struct cupola_target *place,
-                struct cupola_error *error);
-
-/*
- * For the framebuffer that target_bind has bound: CUPOLA_ERROR_ARGUMENT if one of its colours is a
- * texture that would be sampled while it is drawn into. Textures of name 0 are none.
- */
-int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
-                         struct cupola_error *error);
-
-/* A framebuffer with one colour texture; left bound. 0 on failure; `what` is drawn into it. */
-GLuint framebuffer_create(GLuint texture, const char *what, struct cupola_error *error);
-
-/* A 2-D texture without mipmaps, clamped to its edge. 0 on failure. */
-GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenum filter,
-                      struct cupola_error *error);
-
-/*
- * For the framebuffer that target_bind has bound: whether the GL will encode what is drawn into it,
- * which only OpenGL ES does without being asked.
- */
-bool target_encodes(const struct host_features *features);
-
-/* Whether draw buffer 0 of the framebuffer that is bound has an sRGB format. */
-bool target_is_srgb(const struct host_features *features);
-
-/* Whether draw buffer 0 of the framebuffer that is bound has channels of 32 bit floats. */
-bool target_is_float32(const struct host_features *features);
-
-/* An error where an encoding cannot be had because the GL encodes. */
-int target_check_encoding(const struct host_features *features, GLuint framebuffer,
-                          enum cupola_encoding encoding, struct cupola_error *error);
-
-/* A vertex array without any attribute; left bound. 0 on failure. */
-GLuint vertex_array_create(const struct guest *guest, struct cupola_error *error);
-
-/* A sampler: bilinear, without mipmaps, clamped to the edge. Unit 0 has none then. 0 on failure. */
-GLuint sampler_create(const struct guest *guest, const char *name, struct cupola_error *error);
-
-void draw_fullscreen(GLuint vertex_array);
 
 #endif

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "error.h"
+#include "gl_objects.h"
 #include "program.h"
 #include "shaders.h"
 

@@ -5,9 +5,11 @@
 
 #include "error.h"
 #include "geometry/overlay.h"
+#include "gl_objects.h"
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
+#include "target_gl.h"
 
 enum { OVERLAY_LINES_MAX = 120, SAMPLED_AT_ONCE = 32 };
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "error.h"
-#include "host_cube.h"
+#include "gl_objects.h"
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
@@ -33,35 +33,6 @@ GLuint source_program_create(const cupola_gl *gl, int output, int kind, const ch
     program_set_projector(program, &gl->plan.dome, output);
     glUniform1i(glGetUniformLocation(program, "picture"), UNIT_IMAGE);
     return program;
-}
-
-bool texture_bind(GLenum target, GLuint name)
-{
-    GLint bound = 0;
-    GLenum binding = target == GL_TEXTURE_2D         ? GL_TEXTURE_BINDING_2D
-                     : target == GL_TEXTURE_2D_ARRAY ? GL_TEXTURE_BINDING_2D_ARRAY
-                                                     : GL_TEXTURE_BINDING_CUBE_MAP;
-    if (!name || !glIsTexture(name))
-        return false;
-    glBindTexture(target, name);
-    glGetIntegerv(binding, &bound);
-    if ((GLuint)bound == name)
-        return true;
-    glGetError(); /* of that binding */
-    return false;
-}
-
-bool texture_found(const struct guest *guest, GLenum target, GLuint name)
-{
-    struct host_cube host;
-    if (guest->leaves_state)
-        return name != 0;
-    if (target != GL_TEXTURE_CUBE_MAP)
-        return texture_bind(target, name);
-    host_cube_save(&host);
-    bool found = texture_bind(target, name);
-    host_cube_restore(&host);
-    return found;
 }
 
 static int check_texture(const struct guest *guest, const struct cupola_source *source,

@@ -8,6 +8,7 @@
 #include "error.h"
 #include "geometry/vector.h"
 #include "geometry/views.h"
+#include "gl_objects.h"
 #include "instance.h"
 
 static void entry_of_ray(const cupola_gl *gl, const struct cupola_ray *ray, enum cupola_table stage,

@@ -1,6 +1,70 @@
-/* What the GL itself does to the colours that are drawn into a target. */
+/* Targets of the host: bound, and asked what they are made of. */
+#include "target_gl.h"
+
 #include "error.h"
-#include "instance.h"
+
+enum { COLORS_MAX = 32 }; /* as many as the GL has names for */
+
+/* As far as a float counts pixels. */
+enum { CORNER_MAX = 1 << 24 };
+
+static bool near_enough(int at)
+{
+    return at >= -CORNER_MAX && at <= CORNER_MAX;
+}
+
+int target_bind(const struct guest *guest, const struct cupola_target *place,
+                struct cupola_error *error)
+{
+    GLuint framebuffer = place->framebuffer;
+    bool asked = !guest->leaves_state;
+    if (!near_enough(place->x) || !near_enough(place->y))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "target's corner is (%d, %d) px; allowed: -%d to %d each way", place->x,
+                         place->y, CORNER_MAX, CORNER_MAX);
+    if (asked && framebuffer && !glIsFramebuffer(framebuffer))
+        return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u does not exist",
+                         framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    if (asked && glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return error_set(error, CUPOLA_ERROR_GL, "target's framebuffer %u is not complete",
+                         framebuffer);
+    return CUPOLA_OK;
+}
+
+/* The name of the texture that is the bound framebuffer's colour of an index; 0 if none is. */
+static GLuint color_texture(int index)
+{
+    GLenum place = (GLenum)(GL_COLOR_ATTACHMENT0 + index);
+    GLint type = GL_NONE, name = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, place,
+                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type == GL_TEXTURE)
+        glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, place,
+                                              GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    return (GLuint)name;
+}
+
+int target_check_sampled(GLuint framebuffer, const GLuint *textures, int count,
+                         struct cupola_error *error)
+{
+    GLint colors = 0;
+    if (!framebuffer)
+        return CUPOLA_OK; /* the default framebuffer has no textures */
+    glGetIntegerv(GL_MAX_COLOR_ATTACHMENTS, &colors);
+    if (colors > COLORS_MAX)
+        colors = COLORS_MAX;
+    for (int i = 0; i < colors; i++) {
+        GLuint attached = color_texture(i);
+        for (int k = 0; attached && k < count; k++)
+            if (textures[k] == attached)
+                return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                                 "target's framebuffer %u has texture %u, which is sampled, as its "
+                                 "color attachment %d; allowed: other textures",
+                                 framebuffer, attached, i);
+    }
+    return CUPOLA_OK;
+}
 
 /*
  * One buffer of those that a draw buffer of a default framebuffer may stand for, by the names that

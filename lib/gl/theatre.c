@@ -9,10 +9,12 @@
 #include "error.h"
 #include "geometry/angle.h"
 #include "geometry/vector.h"
+#include "gl_objects.h"
 #include "instance.h"
 #include "light_sum.h"
 #include "program.h"
 #include "shaders.h"
+#include "target_gl.h"
 
 /* Of products of rows: a rotation made in single precision still is one. */
 static const double rotation_slack = 1e-6;

@@ -1,5 +1,6 @@
 /* The host's own textures as views. */
 #include "error.h"
+#include "gl_objects.h"
 #include "instance.h"
 
 /* Of a texture that is not asked for its size: larger than any. */
@@ -19,19 +20,6 @@ int view_images_create(cupola_gl *gl, struct cupola_error *error)
 static GLenum kind_of(const cupola_gl *gl)
 {
     return gl->params.storage == CUPOLA_STORAGE_LAYERS ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-}
-
-bool texture_size(const struct host_features *features, GLenum target, GLint size[3])
-{
-    GLint base = 0;
-    size[0] = size[1] = size[2] = 0;
-    if (!features->texture_sizes)
-        return false;
-    glGetTexParameteriv(target, GL_TEXTURE_BASE_LEVEL, &base);
-    glGetTexLevelParameteriv(target, base, GL_TEXTURE_WIDTH, &size[0]);
-    glGetTexLevelParameteriv(target, base, GL_TEXTURE_HEIGHT, &size[1]);
-    glGetTexLevelParameteriv(target, base, GL_TEXTURE_DEPTH, &size[2]);
-    return true;
 }
 
 static int refuse_texture(const cupola_gl *gl, int view, GLuint texture, struct cupola_error *error)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "gl_objects.h"
 #include "instance.h"
 
 static const struct {

@@ -1,65 +1,14 @@
-/* Tables and the warp itself. */
+/* The warp: its programs and its draws. */
 #include <stdio.h>
 #include <string.h>
 
 #include "error.h"
+#include "gl_objects.h"
 #include "host_cube.h"
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
-
-/* Draws a stage's table of one output into a new texture. 0 on failure. */
-static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stage,
-                         struct cupola_error *error)
-{
-    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
-    static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},
-        {"points.glsl", shader_points_glsl},
-        {"views.glsl", shader_views_glsl},
-        {"table.frag", shader_table_frag},
-    };
-    char defines[PROGRAM_DEFINES_MAX];
-    program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)stage, defines);
-    GLuint program = program_create(defines, files, 4, error);
-    if (!program)
-        return 0;
-    GLuint table = texture_create(GL_RGBA32F, size->width_px, size->height_px, GL_NEAREST, error);
-    GLuint framebuffer = table ? framebuffer_create(table, "a table of floats", error) : 0;
-    if (framebuffer) {
-        host_set_area(&gl->features, 0, 0, size->width_px, size->height_px);
-        glUseProgram(program);
-        program_set_projector(program, &gl->plan.dome, output);
-        program_set_views(program, &gl->plan);
-        draw_fullscreen(gl->vertex_array);
-        glDeleteFramebuffers(1, &framebuffer);
-    } else if (table) {
-        glDeleteTextures(1, &table);
-        table = 0;
-    }
-    glUseProgram(0);
-    glDeleteProgram(program);
-    return table;
-}
-
-static GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
-                           struct cupola_error *error)
-{
-    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
-    const char *name = cupola_table_name((int)stage);
-    bool grouped = guest_group_open(&gl->guest, "table %s of output %d", name, output);
-    if (!gl->features.float_targets)
-        guest_tell(&gl->guest, CUPOLA_LOG_WARNING, CUPOLA_LOG_TABLE_ON_CPU,
-                   "table %s of output %d is computed on the CPU: this GL cannot draw into floats",
-                   name, output);
-    GLuint table = gl->features.float_targets ? table_draw(gl, output, stage, error)
-                                              : table_upload(gl, output, stage, error);
-    if (table)
-        guest_name(&gl->guest, GL_TEXTURE, table, "table %s of output %d, %d x %d px", name, output,
-                   size->width_px, size->height_px);
-    guest_group_close(&gl->guest, grouped);
-    return table;
-}
+#include "target_gl.h"
 
 static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
                                    struct cupola_error *error)
@@ -308,34 +257,4 @@ int cupola_gl_warp(cupola_gl *gl, int output, const struct cupola_source *source
     struct cupola_error unwanted;
     error = error ? error : &unwanted;
     return call_ended(gl, __func__, warp(gl, output, source, target, error), error);
-}
-
-static int points(cupola_gl *gl, int output, unsigned int *texture, struct cupola_error *error)
-{
-    int status = output_check(gl, output, error);
-    if (status != CUPOLA_OK)
-        return status;
-    if (!texture)
-        return error_set(error, CUPOLA_ERROR_ARGUMENT, "texture is NULL");
-    struct warp_pass *pass = &gl->passes[output];
-    if (!pass->points) {
-        struct guest_work work;
-        guest_errors_drop(&gl->guest);
-        guest_begin_making(&gl->guest, &work, "points of output %d", output);
-        pass->points = table_create(gl, output, CUPOLA_TABLE_POINTS, error);
-        if (!pass->points)
-            gl_errors_drop();
-        guest_end(&gl->guest, &work);
-        if (!pass->points)
-            return error->status;
-    }
-    *texture = pass->points;
-    return CUPOLA_OK;
-}
-
-int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture, struct cupola_error *error)
-{
-    struct cupola_error unwanted;
-    error = error ? error : &unwanted;
-    return call_ended(gl, __func__, points(gl, output, texture, error), error);
 }
