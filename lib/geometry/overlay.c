@@ -57,6 +57,19 @@ int overlay_check(const struct cupola_overlay *overlay, struct cupola_error *err
     return CUPOLA_OK;
 }
 
+int overlay_check_height(const struct cupola_overlay *overlay, int width, int height,
+                         struct cupola_error *error)
+{
+    double angle = 2 * atan(tan(0.5 * overlay->width_rad) * height / width);
+    if (overlay->kind != CUPOLA_OVERLAY_PICTURE || overlay->height_rad > 0 ||
+        angle <= width_max + angle_slack)
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "height is 0, which at the width of %g rad makes a picture of %d x %d texels "
+                     "%g rad (%g degrees) high; allowed: up to %g rad (150 degrees)",
+                     overlay->width_rad, width, height, RAD_AND_DEG(angle), width_max);
+}
+
 /* Unit length, also of vectors whose squares are no numbers of their own. */
 static void unit_of(const double v[3], double unit[3])
 {

@@ -35,6 +35,13 @@ struct overlay_area {
 int overlay_check(const struct cupola_overlay *overlay, struct cupola_error *error);
 
 /*
+ * CUPOLA_ERROR_ARGUMENT if a picture that leaves its height to its texture (width by height,
+ * texels) would be higher than allowed.
+ */
+int overlay_check_height(const struct cupola_overlay *overlay, int width, int height,
+                         struct cupola_error *error);
+
+/*
  * For an overlay that has been checked. `aspect` is width by height of its texture, for a picture
  * that leaves its height to it; 0 where that is not known, and then it is as high as can be.
  */

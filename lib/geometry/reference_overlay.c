@@ -66,6 +66,8 @@ int cupola_reference_overlay(const cupola_dome *dome, int output,
     bool flat = overlay->kind == CUPOLA_OVERLAY_PICTURE;
     if (flat && (!picture || width < 1 || width > SIDE_MAX || height < 1 || height > SIDE_MAX))
         return CUPOLA_ERROR_ARGUMENT;
+    if (flat && overlay_check_height(overlay, width, height, NULL) != CUPOLA_OK)
+        return CUPOLA_ERROR_ARGUMENT;
     const struct cupola_output *size = &dome->rig.outputs[output];
     const struct picture shown = {flat ? picture : NULL, width, height};
     struct overlay_frame frame;

@@ -1,6 +1,7 @@
 /* Reading a target back. */
 #include "error.h"
 #include "guest.h"
+#include "target_color.h"
 #include "target_gl.h"
 
 /* What the read buffer of the framebuffer that is bound consists of; GL_NONE: there is none. */
@@ -70,9 +71,7 @@ int cupola_gl_capture(const struct cupola_target *target, int width, int height,
     if (status == CUPOLA_OK) {
         GLenum failure = read_pixels(&place, width, height, features.es, rgba);
         if (failure != GL_NO_ERROR)
-            status = error_set(error, CUPOLA_ERROR_GL,
-                               "the GL cannot read from framebuffer %u (error 0x%x)",
-                               place.framebuffer, failure);
+            status = target_unreadable(place.framebuffer, failure, error);
     }
     guest_end(&guest, &work);
     return status;

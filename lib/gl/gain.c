@@ -4,6 +4,7 @@
 #include "error.h"
 #include "gl_objects.h"
 #include "instance.h"
+#include "sampled.h"
 
 GLint gain_unit(const cupola_gl *gl)
 {
@@ -19,11 +20,16 @@ static int refuse_texture(int output, GLuint texture, struct cupola_error *error
                      output, texture);
 }
 
-/* Of the texture that is bound. OpenGL ES 3.0 cannot be asked. */
-static int check_size(const cupola_gl *gl, int output, GLuint texture, struct cupola_error *error)
+/* Of the texture that is bound: size and format. OpenGL ES 3.0 cannot be asked. */
+static int check_bound(const cupola_gl *gl, int output, GLuint texture, struct cupola_error *error)
 {
     const struct cupola_output *wish = &gl->plan.dome.rig.outputs[output];
     GLint size[3];
+    int status = sampled_check(&gl->features, GL_TEXTURE_2D, texture, false, error);
+    if (status != CUPOLA_OK) {
+        error_context(error, "gain of output %d", output);
+        return status;
+    }
     if (!texture_size(&gl->features, GL_TEXTURE_2D, size) ||
         (size[0] == wish->width_px && size[1] == wish->height_px))
         return CUPOLA_OK;
@@ -40,7 +46,7 @@ static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_erro
     struct warp_program made[SOURCE_KINDS] = {{0}};
     if (!texture_bind(GL_TEXTURE_2D, texture))
         return refuse_texture(output, texture, error);
-    int status = check_size(gl, output, texture, error);
+    int status = check_bound(gl, output, texture, error);
     if (status != CUPOLA_OK || pass->gained)
         return status;
     status = warp_programs_create(gl, output, true, made, error);
@@ -97,9 +103,9 @@ int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int texture, struct c
 int gain_check(const cupola_gl *gl, int output, struct cupola_error *error)
 {
     GLuint texture = gl->passes[output].gain;
-    return texture_found(&gl->guest, GL_TEXTURE_2D, texture)
-               ? CUPOLA_OK
-               : refuse_texture(output, texture, error);
+    if (!texture_found(&gl->guest, GL_TEXTURE_2D, texture))
+        return refuse_texture(output, texture, error);
+    return gl->guest.leaves_state ? CUPOLA_OK : check_bound(gl, output, texture, error);
 }
 
 void gain_bind(const cupola_gl *gl, int output)

@@ -121,16 +121,3 @@ bool texture_found(const struct guest *guest, GLenum target, GLuint name)
     host_cube_restore(&host);
     return found;
 }
-
-bool texture_size(const struct host_features *features, GLenum target, GLint size[3])
-{
-    GLint base = 0;
-    size[0] = size[1] = size[2] = 0;
-    if (!features->texture_sizes)
-        return false;
-    glGetTexParameteriv(target, GL_TEXTURE_BASE_LEVEL, &base);
-    glGetTexLevelParameteriv(target, base, GL_TEXTURE_WIDTH, &size[0]);
-    glGetTexLevelParameteriv(target, base, GL_TEXTURE_HEIGHT, &size[1]);
-    glGetTexLevelParameteriv(target, base, GL_TEXTURE_DEPTH, &size[2]);
-    return true;
-}

@@ -1,4 +1,4 @@
-/* Objects of the GL that are more than names: made, each checked and named; found, bound, asked. */
+/* Objects of the GL that are more than names: made, each checked and named; found, bound. */
 #ifndef GL_OBJECTS_H
 #define GL_OBJECTS_H
 
@@ -24,12 +24,6 @@ bool texture_bind(GLenum target, GLuint name);
 
 /* The same without being left bound; where the host's state is left, the host vouches for it. */
 bool texture_found(const struct guest *guest, GLenum target, GLuint name);
-
-/*
- * Width, height and layers of the base level of a texture that is bound. False where the GL cannot
- * be asked, as OpenGL ES 3.0; a texture without texels has size 0.
- */
-bool texture_size(const struct host_features *features, GLenum target, GLint size[3]);
 
 /* A vertex array without any attribute; left bound. 0 on failure. */
 GLuint vertex_array_create(const struct guest *guest, struct cupola_error *error);

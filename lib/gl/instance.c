@@ -1,6 +1,7 @@
 /* A cupola_gl: made, given back. */
 #include "instance.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,6 +28,15 @@ int cupola_table_find(const char *name)
     return number_of_name(table_names, TABLE_COUNT, name);
 }
 
+int color_check(const char *name, const float color[4], struct cupola_error *error)
+{
+    for (int i = 0; i < 4; i++)
+        if (!isfinite(color[i]))
+            return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                             "%s[%d] is %g; allowed: any finite number", name, i, (double)color[i]);
+    return CUPOLA_OK;
+}
+
 static int check_params(const struct cupola_gl_params *params, struct cupola_error *error)
 {
     int status = views_check_params(params, error);
@@ -48,7 +58,8 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (params->sources >> SOURCE_KINDS)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "sources is 0x%x; allowed: 0 to 0x%x",
                          params->sources, (1u << SOURCE_KINDS) - 1u);
-    return log_check(&params->log, error);
+    status = color_check("border", params->border, error);
+    return status == CUPOLA_OK ? log_check(&params->log, error) : status;
 }
 
 int call_ended(cupola_gl *gl, const char *call, int status, struct cupola_error *error)

@@ -59,6 +59,7 @@ struct cupola_gl {
     GLuint framebuffer;  /* what the host draws the views into */
     /* With several samples their colours, drawn into, and the framebuffer of the atlas; else 0. */
     GLuint samples, resolved;
+    GLint sample_count;   /* what the GL made of the samples that were wished for */
     GLuint sampler;       /* of pictures; 0 where none are shown */
     GLuint image_sampler; /* of views that are the host's textures */
     GLuint gain_sampler;
@@ -76,6 +77,9 @@ struct cupola_gl {
 
 /* guest_ended for a public call on a gl, which may be NULL. */
 int call_ended(cupola_gl *gl, const char *call, int status, struct cupola_error *error);
+
+/* Whether a colour of the host's consists of finite numbers. */
+int color_check(const char *name, const float color[4], struct cupola_error *error);
 
 /* Tells the log what was made, and what of the GL is used. */
 void instance_tell_created(const cupola_gl *gl);

@@ -21,7 +21,7 @@ static void describe_views(const cupola_gl *gl, char line[LINE_MAX_CHARS])
         snprintf(line, LINE_MAX_CHARS, "%d views in %d x %d px %s, depth %s, samples %d, table %s",
                  gl->plan.view_count, report->atlas_width_px, report->atlas_height_px,
                  views_format_name(gl), views_depth_name(gl),
-                 gl->params.samples > 1 ? gl->params.samples : 1,
+                 gl->sample_count > 1 ? gl->sample_count : 1,
                  cupola_table_name((int)gl->params.table));
 }
 

@@ -8,7 +8,9 @@
 #include "gl_objects.h"
 #include "instance.h"
 #include "program.h"
+#include "sampled.h"
 #include "shaders.h"
+#include "target_color.h"
 #include "target_gl.h"
 
 enum { OVERLAY_LINES_MAX = 120, SAMPLED_AT_ONCE = 32 };
@@ -113,12 +115,15 @@ static int check_textures(const cupola_gl *gl, const struct cupola_overlay *over
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "overlay %d: texture is %u; allowed: the name of a GL_TEXTURE_2D", i,
                              overlays[i].texture);
-        if (!gl->guest.leaves_state && texture_size(&gl->features, GL_TEXTURE_2D, size) &&
-            (size[0] < 1 || size[1] < 1))
-            return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                             "overlay %d: texture %u is %d x %d texels; allowed: 1 or more each "
-                             "way",
-                             i, overlays[i].texture, size[0], size[1]);
+        int status = sampled_check_in_frame(&gl->guest, GL_TEXTURE_2D, overlays[i].texture,
+                                            overlays[i].mipmaps, error);
+        if (status == CUPOLA_OK && !gl->guest.leaves_state &&
+            texture_size(&gl->features, GL_TEXTURE_2D, size))
+            status = overlay_check_height(&overlays[i], size[0], size[1], error);
+        if (status != CUPOLA_OK) {
+            error_context(error, "overlay %d", i);
+            return status;
+        }
     }
     return CUPOLA_OK;
 }
@@ -161,7 +166,9 @@ static int prepare_target(const cupola_gl *gl, int output, const struct cupola_o
         status = target_bind(&gl->guest, place, error);
     if (status != CUPOLA_OK || gl->guest.leaves_state)
         return status; /* what is attached to the target would have to be asked for */
-    status = check_sampled(framebuffer, overlays, count, error);
+    status = target_check_color(framebuffer, error);
+    if (status == CUPOLA_OK)
+        status = check_sampled(framebuffer, overlays, count, error);
     if (status == CUPOLA_OK)
         status = target_check_sampled(framebuffer, &gain, 1, error);
     if (status == CUPOLA_OK)

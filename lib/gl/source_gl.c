@@ -6,6 +6,7 @@
 #include "gl_objects.h"
 #include "instance.h"
 #include "program.h"
+#include "sampled.h"
 #include "shaders.h"
 
 enum { SOURCE_LINES_MAX = 160 };
@@ -39,8 +40,13 @@ static int check_texture(const struct guest *guest, const struct cupola_source *
                          struct cupola_error *error)
 {
     bool cube = source->kind == CUPOLA_SOURCE_CUBE;
-    if (texture_found(guest, cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D, source->texture))
-        return CUPOLA_OK;
+    GLenum target = cube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D;
+    if (texture_found(guest, target, source->texture)) {
+        int status = sampled_check_in_frame(guest, target, source->texture, source->mipmaps, error);
+        if (status != CUPOLA_OK)
+            error_context(error, "source");
+        return status;
+    }
     return error_set(error, CUPOLA_ERROR_ARGUMENT,
                      "source's texture is %u; allowed for kind %s: the name of a %s",
                      source->texture, cupola_source_name((int)source->kind),

@@ -13,7 +13,9 @@
 #include "instance.h"
 #include "light_sum.h"
 #include "program.h"
+#include "sampled.h"
 #include "shaders.h"
+#include "target_color.h"
 #include "target_gl.h"
 
 /* Of products of rows: a rotation made in single precision still is one. */
@@ -332,11 +334,17 @@ static int draw(cupola_theatre *theatre, const unsigned int *images,
 static int check_images(const cupola_theatre *theatre, const unsigned int *images,
                         struct cupola_error *error)
 {
-    for (int i = 0; i < theatre->dome.rig.output_count; i++)
+    for (int i = 0; i < theatre->dome.rig.output_count; i++) {
         if (!texture_bind(GL_TEXTURE_2D, images[i]))
             return error_set(error, CUPOLA_ERROR_ARGUMENT,
                              "image %d is texture %u; allowed: the name of a GL_TEXTURE_2D", i,
                              images[i]);
+        int status = sampled_check(&theatre->features, GL_TEXTURE_2D, images[i], false, error);
+        if (status != CUPOLA_OK) {
+            error_context(error, "image %d", i);
+            return status;
+        }
+    }
     return CUPOLA_OK;
 }
 
@@ -360,6 +368,8 @@ static int theatre_draw(cupola_theatre *theatre, const unsigned int *images,
     status = check_images(theatre, images, error);
     if (status == CUPOLA_OK)
         status = target_bind(&theatre->guest, &place, error);
+    if (status == CUPOLA_OK)
+        status = target_check_color(place.framebuffer, error);
     if (status == CUPOLA_OK)
         status =
             target_check_sampled(place.framebuffer, images, theatre->dome.rig.output_count, error);

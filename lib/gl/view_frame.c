@@ -21,7 +21,8 @@ static int frame_begin(cupola_gl *gl, const struct cupola_frame *frame, struct c
     struct cupola_frame wished = frame ? *frame : (struct cupola_frame){.clear_color = {0}};
     struct cupola_camera camera;
     int status = cupola_plan_camera(&gl->plan, 0, &wished.depth, &camera, error);
-    if (status != CUPOLA_OK)
+    if (status != CUPOLA_OK ||
+        (status = color_check("clear_color", wished.clear_color, error)) != CUPOLA_OK)
         return status;
     gl->frame = wished;
     gl->frame_begun = true;

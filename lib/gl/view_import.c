@@ -2,6 +2,7 @@
 #include "error.h"
 #include "gl_objects.h"
 #include "instance.h"
+#include "sampled.h"
 
 /* Of a texture that is not asked for its size: larger than any. */
 enum { SIZE_UNKNOWN = 1 << 24 };
@@ -76,11 +77,11 @@ static int check_image(const cupola_gl *gl, const struct cupola_view_image *imag
                          "layers of one GL_TEXTURE_2D_ARRAY",
                          view, image->texture, images[0].texture);
     bool known = !gl->guest.leaves_state && texture_size(&gl->features, kind_of(gl), size);
-    if (known && (size[0] < 1 || size[1] < 1))
-        return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "texture %u of view %d has no texels in its base level; allowed: at least "
-                         "1 x 1",
-                         image->texture, view);
+    int status = sampled_check_in_frame(&gl->guest, kind_of(gl), image->texture, false, error);
+    if (status != CUPOLA_OK) {
+        error_context(error, "view %d", view);
+        return status;
+    }
     if (!known && gl->guest.leaves_state) {
         size[0] = size[1] = size[2] = SIZE_UNKNOWN;
     } else if (!known) {
@@ -88,7 +89,7 @@ static int check_image(const cupola_gl *gl, const struct cupola_view_image *imag
         size[1] = size[0];
         glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &size[2]);
     }
-    int status = check_layer(gl, view, image->layer, size[2] > 1 ? size[2] : 1, error);
+    status = check_layer(gl, view, image->layer, size[2] > 1 ? size[2] : 1, error);
     return status == CUPOLA_OK ? check_rect(view, &image->rect, size, known, error) : status;
 }
 

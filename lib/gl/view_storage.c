@@ -129,8 +129,8 @@ static int choose_samples(const cupola_gl *gl, int *samples, struct cupola_error
 }
 
 /* A renderbuffer of the atlas' size. 0 on failure. */
-static GLuint renderbuffer_create(const cupola_gl *gl, GLenum internal, GLint samples,
-                                  const char *what, struct cupola_error *error)
+static GLuint renderbuffer_create(cupola_gl *gl, GLenum internal, GLint samples, const char *what,
+                                  struct cupola_error *error)
 {
     int width = gl->plan.report.atlas_width_px, height = gl->plan.report.atlas_height_px;
     GLuint name = 0;
@@ -147,6 +147,7 @@ static GLuint renderbuffer_create(const cupola_gl *gl, GLenum internal, GLint sa
         glRenderbufferStorage(GL_RENDERBUFFER, internal, width, height);
     GLenum failure = glGetError();
     if (failure == GL_NO_ERROR) {
+        glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &gl->sample_count);
         guest_name(&gl->guest, GL_RENDERBUFFER, name, "%s of views, %d x %d px", what, width,
                    height);
         return name;

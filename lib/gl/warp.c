@@ -8,6 +8,7 @@
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
+#include "target_color.h"
 #include "target_gl.h"
 
 static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
@@ -215,7 +216,9 @@ static int check_sampled(const cupola_gl *gl, int output, const struct cupola_so
         status = target_bind(&gl->guest, place, error);
     if (status != CUPOLA_OK || gl->guest.leaves_state)
         return status; /* what is attached to the target would have to be asked for */
-    status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);
+    status = target_check_color(framebuffer, error);
+    if (status == CUPOLA_OK)
+        status = target_check_sampled(framebuffer, sampled, CUPOLA_VIEWS_MAX + 3, error);
     if (status == CUPOLA_OK)
         status = target_check_encoding(&gl->features, framebuffer, gl->params.encoding, error);
     return status;

@@ -98,6 +98,34 @@ static void near_and_far_must_be_distances(void **state)
     release(&fixture);
 }
 
+static void colours_must_be_finite_and_may_be_negative(void **state)
+{
+    static const float bad[] = {NAN, INFINITY, -INFINITY};
+    struct fixture fixture = small_fixture(CUPOLA_TABLE_NONE);
+    struct cupola_error error = {CUPOLA_OK, ""};
+    cupola_gl *gl = NULL;
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        struct cupola_gl_params params = {.border = {0}};
+        struct cupola_frame frame = {.clear_color = {0}};
+        params.border[i + 1] = frame.clear_color[i + 1] = bad[i];
+        const char *names[2][3] = {
+            {"border[1] is ", "border[2] is ", "border[3] is "},
+            {"clear_color[1] is ", "clear_color[2] is ", "clear_color[3] is "}};
+        check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT,
+                      &error, names[0][i]);
+        check_refused(cupola_gl_frame_begin(fixture.gl, &frame, &error), CUPOLA_ERROR_ARGUMENT,
+                      &error, names[1][i]);
+    }
+    assert_null(gl);
+    assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, NULL, NULL), CUPOLA_ERROR_ORDER);
+    const struct cupola_gl_params below = {.border = {-1.0f, -2.0f, 0.0f, 1.0f}};
+    const struct cupola_frame dark = {.clear_color = {-1.0f, 0.0f, 0.0f, 1.0f}};
+    fixture_replace_gl(&fixture, &below);
+    check_at_least(cupola_gl_frame_begin(fixture.gl, &dark, NULL), 1);
+    release(&fixture);
+}
+
 /* Clears each view to a colour of its own, first to last or last to first, some of them twice. */
 static float *painted_in_order(const struct fixture *fixture, bool backwards)
 {
@@ -247,6 +275,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(views_come_after_frame_begin_and_one_at_a_time),
         cmocka_unit_test(near_and_far_must_be_distances),
+        cmocka_unit_test(colours_must_be_finite_and_may_be_negative),
         cmocka_unit_test(views_come_in_any_order_and_the_warp_repeats),
         cmocka_unit_test(atlas_beyond_the_largest_texture_is_refused),
         cmocka_unit_test(wrong_parameters_make_nothing),

@@ -240,6 +240,13 @@ static void only_the_view_that_ends_is_resolved(void **state)
     fixture_release(&fixture);
 }
 
+static void keep_created(int level, int id, const char *text, void *told)
+{
+    (void)level;
+    if (id == CUPOLA_LOG_CREATED)
+        snprintf(told, 1200, "%s", text);
+}
+
 static void a_number_of_samples_that_is_not_to_be_had_is_refused(void **state)
 {
     static const int bad[] = {-1, 1000, 1 << 30};
@@ -261,6 +268,32 @@ static void a_number_of_samples_that_is_not_to_be_had_is_refused(void **state)
     for (int samples = 0; samples <= most_samples(fixture.plan, CUPOLA_FORMAT_RGBA8); samples++) {
         const struct cupola_gl_params params = {.samples = samples};
         fixture_replace_gl(&fixture, &params);
+    }
+    fixture_release(&fixture);
+    assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+/* The GL may round a wish up. */
+static void the_number_of_samples_is_told(void **state)
+{
+    struct fixture fixture;
+    GLint samples = 0;
+    (void)state;
+    make(&fixture, CUPOLA_FORMAT_RGBA8, 1);
+    for (int wish = 0; wish <= most_samples(fixture.plan, CUPOLA_FORMAT_RGBA8); wish++) {
+        char told[1200] = "", number[32];
+        struct cupola_gl_view view;
+        const struct cupola_gl_params params = {.samples = wish,
+                                                .log = {keep_created, told, CUPOLA_LOG_INFO}};
+        fixture_replace_gl(&fixture, &params);
+        check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
+        assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, &view, NULL), CUPOLA_OK);
+        glGetIntegerv(GL_SAMPLES, &samples);
+        assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
+        check_at_least(samples, wish > 1 ? wish : 0);
+        snprintf(number, sizeof number, "samples %d,", samples > 1 ? samples : 1);
+        if (!strstr(told, number))
+            fail_msg("'%s' does not say '%s'", told, number);
     }
     fixture_release(&fixture);
     assert_int_equal(glGetError(), GL_NO_ERROR);
@@ -315,6 +348,7 @@ int main(void)
         cmocka_unit_test(a_mean_of_encoded_values_would_be_caught),
         cmocka_unit_test(only_the_view_that_ends_is_resolved),
         cmocka_unit_test(a_number_of_samples_that_is_not_to_be_had_is_refused),
+        cmocka_unit_test(the_number_of_samples_is_told),
         cmocka_unit_test(every_format_goes_with_every_depth_and_number_of_samples),
         cmocka_unit_test(destroying_ends_an_open_view),
     };

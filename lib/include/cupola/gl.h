@@ -101,12 +101,14 @@ enum cupola_table {
 struct cupola_gl_params {
     enum cupola_format format;      /* of the views; 0: RGBA8. Not asked of a host's textures */
     enum cupola_depth_format depth; /* of the views; 0: 32F. Likewise */
-    int samples;                    /* per texel of a view, at least; 0, 1: one */
+    int samples;                    /* per texel of a view, at least: the GL may give more (the log
+                                     * tells). view_end resolves them. 0, 1: one */
     enum cupola_storage storage;    /* 0: the atlas. Others not with the coordinates' table */
     enum cupola_table table;        /* 0: points */
     enum cupola_encoding encoding;  /* of what the warp writes; 0: linear */
-    float border[4];                /* RGBA of pixels that are not lit, in linear light; all zero:
-                                      * transparent black */
+    /* RGBA of pixels that are not lit, in linear light, finite (below 0 for targets that hold such
+     * numbers); all zero: transparent black */
+    float border[4];
     /* What the warp will show: the sum of 1u << kind for each kind of enum cupola_source_kind, so
      * that its program is ready before the first frame. Without the views nothing is made for them:
      * no atlas, no tables. 0: the views alone. */
@@ -127,7 +129,7 @@ struct cupola_gl_params {
  * gl       out: to be given to cupola_gl_destroy; untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
- *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, a parameter is none of those above,
+ *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, a parameter is not as said above,
  *          sources has a bit that is no kind, samples is not 0 to what this GL has of that format,
  *          the table of coordinates is wished for the host's textures, or the atlas or an output is
  *          larger than this GL's textures may be
@@ -157,7 +159,7 @@ CUPOLA_API void cupola_gl_destroy(cupola_gl **gl);
 struct cupola_frame {
     struct cupola_depth depth; /* near, far and how depth runs; all zero: 0.1 to 1000 */
     float clear_color[4];      /* RGBA that each view is cleared to, in linear light (SRGB8 encodes
-                                * it); all zero: transparent black */
+                                * it), finite; all zero: transparent black */
 };
 
 /*
@@ -166,8 +168,8 @@ struct cupola_frame {
  * frame    NULL: all zero
  * error    may be NULL
  * returns  the number of views to draw, 1 or more
- *          CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views or for the host's textures, or
- *          the distances are not as said in plan.h
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views or for the host's textures,
+ *          the distances are not as said in plan.h, or the colour is not finite
  *          CUPOLA_ERROR_ORDER inside a view
  *          CUPOLA_ERROR_LOST if that was seen by an earlier call
  * thread   the context's
@@ -218,8 +220,10 @@ CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
 
 /* A host's texture, or a part of it, as a view. */
 struct cupola_view_image {
-    unsigned int texture; /* GL_TEXTURE_2D, or GL_TEXTURE_2D_ARRAY for CUPOLA_STORAGE_LAYERS */
-    int layer;            /* of an array; else 0 */
+    /* GL_TEXTURE_2D, or GL_TEXTURE_2D_ARRAY for CUPOLA_STORAGE_LAYERS, in a format of colours that
+     * are floats or normalised numbers */
+    unsigned int texture;
+    int layer; /* of an array; else 0 */
     /* Where the view's base rectangle lies in it, guard band included, texels; all zero: all of it.
      * The size need not be the plan's. */
     struct cupola_rect rect;
@@ -235,10 +239,10 @@ struct cupola_view_image {
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl or images is NULL, gl was not made for textures of the
- *          host's, one of them is none of that kind, a layer or a rectangle is outside of it, or
- *          layers are of different arrays. Which layers and texels a texture has cannot be
- *          asked in OpenGL ES 3.0 (3.1 can): there layers and rectangles are checked against the
- *          largest that the GL allows
+ *          host's, one of them is none of that kind or in another format, a layer or a rectangle
+ *          is outside of it, or layers are of different arrays. Which format, layers and texels a
+ *          texture has cannot be asked in OpenGL ES 3.0 (3.1 can): there layers and rectangles are
+ *          checked against the largest that the GL allows
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  * thread   the context's
@@ -253,14 +257,14 @@ CUPOLA_API int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_im
  * pictures, overlays and the border; alpha stays as it is.
  *
  * output   index, 0 to the number of the rig's outputs - 1
- * texture  a GL_TEXTURE_2D of the output's size, of which red, green and blue are used, fetched
- *          texel by texel; it must live as long as it is set. One of a single channel is red, and
- *          lets green and blue be 0: a grey gain has three channels, or swizzles red into all. 0:
- *          none, which is how it begins
+ * texture  a GL_TEXTURE_2D of the output's size, floats or normalised numbers, of which red, green
+ *          and blue are used, fetched texel by texel; it must live and keep its size as long as it
+ *          is set. One of a single channel is red, and lets green and blue be 0: a grey gain has
+ *          three channels, or swizzles red into all. 0: none, which is how it begins
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or the texture is none or
- *          of another size (not asked for in OpenGL ES 3.0: see docs/host-contract.md)
+ *          of another size or format (not asked for in OpenGL ES 3.0: see docs/host-contract.md)
  *          CUPOLA_ERROR_ORDER inside a view
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
@@ -273,8 +277,8 @@ CUPOLA_API int cupola_gl_set_gain(cupola_gl *gl, int output, unsigned int textur
                                   struct cupola_error *error);
 
 /*
- * Where the warp draws: draw buffer 0 of a framebuffer, and no other of it. All zero is the default
- * framebuffer at (0, 0).
+ * Where the warp draws: draw buffer 0 of a framebuffer, and no other of it, in a format of colours
+ * that are floats or normalised numbers. All zero is the default framebuffer at (0, 0).
  */
 struct cupola_target {
     unsigned int framebuffer; /* 0: the default framebuffer */
@@ -295,13 +299,15 @@ struct cupola_target {
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, the source is of a kind
  *          that gl was not made for, a field of it is outside of its range or its texture is none
- *          of that kind, a texture that is sampled is a colour of the target, one that was
- *          imported or set as a gain has been deleted since, or the target's corner is too far
+ *          of that kind or not as source.h says (asked for where OpenGL ES is not 3.0), a texture
+ *          that is sampled is a colour of the target, one that was imported or set as a gain has
+ *          been deleted since, the gain has another size by now, or the target's corner is too far
  *          CUPOLA_ERROR_ORDER inside a view, or before the host's views were imported
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
- *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, or the encoding is
- *          linear and this OpenGL ES always encodes into the target's format
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, its draw buffer 0
+ *          is none or of integers, or the encoding is linear and this OpenGL ES always encodes into
+ *          the target's format
  * thread   the context's
  * since    0.1
  */
@@ -354,7 +360,7 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_GL if the framebuffer does not exist, is not complete, has several samples
- *          per pixel or no colour to read
+ *          per pixel, no colour to read or one of integers
  * thread   the context's
  * since    0.1
  */

@@ -33,16 +33,18 @@ struct cupola_overlay {
     double direction[3]; /* of its middle, host's camera frame, from the eye, any length above 0 */
     double width_rad;    /* angle between the middles of its left and right edge, above 0 and up to
                        * 5/6 pi */
-    double height_rad; /* the same, of lower and upper edge; 0: square texels for a picture, as high
-                        * as wide for the others */
+    /* The same, of lower and upper edge; 0: square texels for a picture, which must not make it
+     * higher than that either, as high as wide for the others. */
+    double height_rad;
     /* Counter-clockwise as the viewer sees it, -2 pi to 2 pi. At 0 its lower edge is level: up is
      * towards +Y of the host's camera frame, and where the direction is straight up or down, as if
      * the viewer had raised or lowered the head from straight ahead. */
     double roll_rad;
-    /* A GL_TEXTURE_2D, its first row the lower edge, filtered by a sampler object of Cupola's; its
-     * own filter and wrap parameters do not count. Its colour is premultiplied: in linear light,
-     * colour times alpha, and for a texture of an sRGB format encoded after that. Colour above
-     * alpha is light that is added, as of a glow. Not asked of the other kinds. */
+    /* A GL_TEXTURE_2D, its first row the lower edge, floats or normalised numbers, filtered by a
+     * sampler object of Cupola's; its own filter and wrap parameters do not count. Its colour is
+     * premultiplied: in linear light, colour times alpha, and for a texture of an sRGB format
+     * encoded after that. Colour above alpha is light that is added, as of a glow. Not asked of the
+     * other kinds. */
     unsigned int texture;
     bool mipmaps; /* the texture has all its levels */
     /* Four floats: RGBA in linear light, 0 or more, alpha up to 1, not premultiplied; a picture is
@@ -65,11 +67,16 @@ struct cupola_overlay {
  * error     may be NULL
  * returns   CUPOLA_OK
  *           CUPOLA_ERROR_ARGUMENT if gl, or overlays with a count above 0, is NULL, gl was made
- *           without overlays, there is no such output, a field is outside of its range, or a
- *           texture is no GL_TEXTURE_2D or a colour of the target, or its corner is too far
+ *           without overlays, there is no such output, a field is outside of its range, a texture
+ *           is no GL_TEXTURE_2D or not as said above (asked for where OpenGL ES is not 3.0), the
+ *           output's gain has been deleted or is of another size by now, texture or gain is a
+ *           colour of the target, or its corner is too far
  *           CUPOLA_ERROR_ORDER inside a view
  *           CUPOLA_ERROR_CONTEXT, CUPOLA_ERROR_LOST
- *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete
+ *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, its draw buffer 0
+ *           is none or of integers, the target is RGBA32F in an OpenGL ES without
+ *           GL_EXT_float_blend, or the encoding is linear and this OpenGL ES always encodes into
+ *           the target's format
  * thread    the context's
  * since     0.1
  */

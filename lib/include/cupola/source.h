@@ -52,10 +52,12 @@ enum cupola_source_place {
 struct cupola_source {
     enum cupola_source_kind kind;   /* what it is */
     enum cupola_source_place place; /* where it is; not asked of the views */
-    /* The picture: a GL_TEXTURE_2D, its first row the lower edge, or a GL_TEXTURE_CUBE_MAP. It is
-     * filtered by a sampler object of Cupola's; its own filter and wrap parameters do not count. */
+    /* The picture: a GL_TEXTURE_2D, its first row the lower edge, or a GL_TEXTURE_CUBE_MAP, in a
+     * format of colours that are floats or normalised numbers. It is filtered by a sampler object
+     * of Cupola's; its own filter and wrap parameters do not count. */
     unsigned int texture;
-    bool mipmaps;   /* the texture has all its levels: for pictures finer than the output */
+    bool mipmaps;   /* the texture has all its levels (without them it would be black, and is
+                     * refused where the GL can be asked): for pictures finer than the output */
     double fov_rad; /* of a domemaster: its full opening, above 0 and up to 2 pi; 0: pi */
     /* Turns the picture: a domemaster from the dome's axis in the dome frame (roll is round the
      * axis), the others from straight ahead in the host's camera frame (yaw is to the left). */

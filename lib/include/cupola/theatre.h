@@ -78,8 +78,8 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
  *
  * spectator
  *          who looks, and at what
- * images   names of GL_TEXTURE_2D, one per output of the rig, of the outputs' sizes; sampled
- *          bilinearly
+ * images   names of GL_TEXTURE_2D, one per output of the rig, of the outputs' sizes, floats or
+ *          normalised numbers; sampled bilinearly
  * width, height
  *          of the rectangle drawn, px, 1 to 32768 each
  * target   its framebuffer, of which draw buffer 0 is drawn into, and lower left corner; NULL: all
@@ -87,14 +87,15 @@ CUPOLA_API void cupola_spectator_outside(const cupola_dome *dome,
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if theatre, images or spectator is NULL, the spectator is not as
- *          said above, a side or the target's corner is not, or an image is no 2-D texture or a
- *          colour of the target
+ *          said above, a side or the target's corner is not, or an image is no 2-D texture, in
+ *          another format (asked for where OpenGL ES is not 3.0) or a colour of the target
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
- *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, the encoding is
- *          linear and this OpenGL ES always encodes into the target's format, or the GL refuses a
- *          texture to add up the light of several projectors
+ *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, its draw buffer 0
+ *          is none or of integers, the encoding is linear and this OpenGL ES always encodes into
+ *          the target's format, or the GL refuses a texture to add up the light of several
+ *          projectors
  * thread   the context's
  * since    0.1
  */
