@@ -1,4 +1,4 @@
-/* Programs are made and draw the same whatever the host's locale is: GLSL knows no decimal comma. */
+/* Programs are made and draw the same whatever the host's locale: GLSL knows no decimal comma. */
 #define _XOPEN_SOURCE 700 /* comma_locale.h */
 #include "comma_locale.h"
 #include "context.h"

@@ -1,4 +1,4 @@
-/* A target's corner may be outside of its framebuffer, but no farther than pixels can be counted. */
+/* A target's corner may be outside of its framebuffer, but no farther than pixels are counted. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
