@@ -38,7 +38,7 @@ static int create(struct still *still, const struct options *options,
     status = world_create(&still->world, options, &setup->rig, news, message);
     if (status != STATUS_OK)
         return status;
-    mine.floats |= still->world.scene->needs_float;
+    mine.floats |= still->world.scene && still->world.scene->needs_float;
     if (!marks_create(&still->marks, options->marks, options->mark_count, message))
         return STATUS_FAILED;
     still->show = show_create(&mine, message);

@@ -159,7 +159,7 @@ static int create(struct window *window, const struct options *options, FILE *ne
         return status;
     if (!film_output_check_files(options, window->world.film, NULL, message))
         return STATUS_FAILED;
-    window->setup.floats |= window->world.scene->needs_float;
+    window->setup.floats |= window->world.scene && window->world.scene->needs_float;
     window->setup.overlays = true; /* the mouse's cursor */
     if (!marks_create(&window->marks, options->marks, options->mark_count, message))
         return STATUS_FAILED;

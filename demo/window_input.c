@@ -193,7 +193,7 @@ void window_fly(struct window *window)
 {
     double step[3] = {held(window, GLFW_KEY_D, GLFW_KEY_A), held(window, GLFW_KEY_E, GLFW_KEY_Q),
                       held(window, GLFW_KEY_S, GLFW_KEY_W)};
-    double radius = window->world.scene->radius;
+    double radius = window->world.scene ? window->world.scene->radius : 0;
     double time_ms = now_ms();
     /* A long frame must not become a leap. */
     double length = fmin(time_ms - window->moved_ms, 200) * 1e-3 * (radius > 0 ? 0.4 * radius : 1);

@@ -49,8 +49,11 @@ int world_create(struct world *world, const struct options *options, const struc
     const double *place = options->camera.value;
 
     *world = (struct world){.up = {0, 1, 0}};
-    world->scene = create_scene(options, rig, message);
-    if (!world->scene)
+    if (options->show)
+        world->film = film_create(options, message);
+    else
+        world->scene = create_scene(options, rig, message);
+    if (!world->scene && !world->film)
         return STATUS_FAILED;
     if (options->model && !options->camera.given) {
         place = world->scene->suggested;
@@ -60,8 +63,6 @@ int world_create(struct world *world, const struct options *options, const struc
     status = place_camera(options, place, &world->camera, message);
     if (options->up.given)
         memcpy(world->up, options->up.value, sizeof world->up);
-    if (status == STATUS_OK && options->show && !(world->film = film_create(options, message)))
-        status = STATUS_FAILED;
     if (status != STATUS_OK)
         world_destroy(world);
     return status;

@@ -10,8 +10,8 @@
 #include "scene.h"
 
 struct world {
-    struct scene *scene;
-    struct film *film; /* shown instead of the scene; NULL: none */
+    struct scene *scene; /* NULL where there is a film */
+    struct film *film;   /* shown instead of a scene; NULL: none */
     struct host_camera camera;
     double up[3]; /* world */
 };

@@ -1,6 +1,7 @@
 /* The default framebuffer as a target, whichever of its buffers the host draws into. */
 #include <epoxy/egl.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "check.h"
 #include "context.h"
@@ -51,7 +52,10 @@ static bool draw_into(struct guest_house *house, GLenum buffer)
     if (glGetError() != GL_NO_ERROR)
         return false;
     glGetIntegerv(GL_DRAW_BUFFER0, &bound);
-    if (guest_frame(house, &error) < 0)
+    if (buffer == GL_NONE) {
+        assert_int_equal(guest_frame(house, &error), CUPOLA_ERROR_GL);
+        assert_non_null(strstr(error.message, "draw buffer 0 is none"));
+    } else if (guest_frame(house, &error) < 0)
         fail_msg("draw buffer 0x%x: %s", buffer, error.message);
     GLenum pending = glGetError();
     if (pending != GL_NO_ERROR)
