@@ -90,11 +90,13 @@ const struct cube_face cube_faces[CUBE_FACES] = {
 /* How much of a pixel lies inside of an edge at this signed distance (outside is positive), px. */
 static float covered(float distance_px)
 {
-    return fminf(fmaxf(0.5f - distance_px, 0.0f), 1.0f);
+    return distance_px >= 0.5f ? 0 : distance_px <= -0.5f ? 1 : 0.5f - distance_px;
 }
 
 static void blend(unsigned char *pixel, const unsigned char color[3], float amount)
 {
+    if (amount <= 0) /* most pixels */
+        return;
     for (int k = 0; k < 3; k++)
         pixel[k] =
             (unsigned char)lrintf((float)pixel[k] + amount * ((float)color[k] - (float)pixel[k]));
@@ -111,8 +113,7 @@ static void paint_box(unsigned char *rgba, float left, float bottom, float width
         for (int i = first_x; i <= last_x; i++) {
             float x = fabsf((float)i + 0.5f - left - half_width) - half_width + corner_px;
             float y = fabsf((float)j + 0.5f - bottom - half_height) - half_height + corner_px;
-            float outside = hypotf(fmaxf(x, 0), fmaxf(y, 0));
-            float distance = outside + fminf(fmaxf(x, y), 0) - corner_px;
+            float distance = (x > 0 && y > 0 ? hypotf(x, y) : x > y ? x : y) - corner_px;
             blend(rgba + 4 * (j * SIZE + i), color, amount * covered(distance));
         }
 }
