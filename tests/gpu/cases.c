@@ -194,23 +194,24 @@ static cupola_plan *find_case(pair_table pairs, uint64_t *seed, const int pair[4
     return NULL;
 }
 
-static void cover_pair(pair_table pairs, uint64_t *seed, const int pair[4], case_visitor visit,
+/* Whether more are wanted. */
+static bool cover_pair(pair_table pairs, uint64_t *seed, const int pair[4], case_visitor visit,
                        void *user, struct case_count *count)
 {
     struct theatre_case theatre;
     if (pairs[pair[0]][pair[1]][pair[2]][pair[3]] != 0)
-        return;
+        return true;
     cupola_plan *plan = find_case(pairs, seed, pair, &theatre);
     if (!plan) {
         printf("refused: value %d of property %d with value %d of property %d\n", pair[1], pair[0],
                pair[3], pair[2]);
         mark_pair(pairs, pair[0], pair[1], pair[2], pair[3], 2);
         count->refused_pairs++;
-        return;
+        return true;
     }
     mark_case(pairs, theatre.values);
     count->cases++;
-    visit(&theatre, plan, user);
+    return visit(&theatre, plan, user);
 }
 
 struct case_count cases_pairwise(uint64_t seed, case_visitor visit, void *user)
@@ -223,7 +224,8 @@ struct case_count cases_pairwise(uint64_t seed, case_visitor visit, void *user)
             for (int k = 0; k < value_counts[p] * value_counts[q]; k++) {
                 const int pair[4] = {p, k / value_counts[q], q, k % value_counts[q]};
                 count.pairs++;
-                cover_pair(pairs, &seed, pair, visit, user, &count);
+                if (!cover_pair(pairs, &seed, pair, visit, user, &count))
+                    return count;
             }
     return count;
 }
@@ -250,7 +252,8 @@ struct case_count cases_matrix(uint64_t seed, case_visitor visit, void *user)
         if (!plan)
             continue;
         count.cases++;
-        visit(&theatre, plan, user);
+        if (!visit(&theatre, plan, user))
+            break;
     }
     return count;
 }

@@ -5,6 +5,7 @@
 #ifndef CASES_H
 #define CASES_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "cupola/cupola.h"
@@ -36,8 +37,8 @@ struct theatre_case {
     char text[256]; /* what a message calls it */
 };
 
-/* Called with a plan that it takes over. */
-typedef void (*case_visitor)(const struct theatre_case *theatre, cupola_plan *plan, void *user);
+/* Called with a plan that it takes over; whether it wants more. */
+typedef bool (*case_visitor)(const struct theatre_case *theatre, cupola_plan *plan, void *user);
 
 /* What became of the pairs. */
 struct case_count {

@@ -31,8 +31,8 @@ struct worst {
     int visited;
 };
 
-/* The geometry is the same in both: OpenGL ES sees every third theatre. */
-enum { ES_STRIDE = 3 };
+/* The geometry is the same in both: OpenGL ES sees the first theatres. */
+enum { ES_THEATRES = 16 };
 
 static void judge(const struct theatre_case *theatre, int output,
                   const struct direction_error *error, struct worst *worst)
@@ -53,15 +53,11 @@ static void judge(const struct theatre_case *theatre, int output,
     worst->failures++;
 }
 
-static void visit_directions(const struct theatre_case *theatre, cupola_plan *plan, void *user)
+static bool visit_directions(const struct theatre_case *theatre, cupola_plan *plan, void *user)
 {
     struct worst *worst = user;
     struct fixture fixture;
     struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F, .table = theatre->stage};
-    if (worst->visited++ % (context_is_es() ? ES_STRIDE : 1) != 0) {
-        cupola_plan_destroy(&plan);
-        return;
-    }
     fixture_make_of_plan(plan, &params, &fixture);
     fixture_paint(&fixture, PAINT_DIRECTIONS);
     for (int output = 0; output < theatre->rig.output_count; output++) {
@@ -71,6 +67,7 @@ static void visit_directions(const struct theatre_case *theatre, cupola_plan *pl
         judge(theatre, output, &error, worst);
     }
     fixture_release(&fixture);
+    return !context_is_es() || ++worst->visited < ES_THEATRES;
 }
 
 static void every_pixel_shows_its_direction_at_view_borders_as_elsewhere(void **state)
@@ -87,7 +84,7 @@ static void every_pixel_shows_its_direction_at_view_borders_as_elsewhere(void **
         count.cases, count.pairs, count.refused_pairs, worst.pixels, worst.deg, worst.px,
         worst.border_ratio);
     assert_int_equal(worst.failures, 0);
-    if (!all)
+    if (!all && !context_is_es())
         assert_int_equal(count.refused_pairs, 1); /* hemispheric with 220 degrees */
 }
 
