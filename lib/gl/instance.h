@@ -142,6 +142,9 @@ GLuint source_program_create(const cupola_gl *gl, int output, int kind, const ch
 void source_bind(const cupola_gl *gl, const struct warp_program *program,
                  const struct cupola_source *source);
 
+/* Sets the sampler of pictures and overlays; round about: the left edge meets the right one. */
+void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about);
+
 /* Also whether its kind was asked for and its texture is one. */
 int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
                     struct cupola_error *error);

@@ -184,12 +184,7 @@ static double bind_picture(const cupola_gl *gl, const struct cupola_overlay *ove
     GLint size[3];
     glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
     glBindTexture(GL_TEXTURE_2D, overlay->texture);
-    glSamplerParameteri(gl->sampler, GL_TEXTURE_MIN_FILTER,
-                        overlay->mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-    glSamplerParameteri(gl->sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glSamplerParameteri(gl->sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(gl->sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindSampler(UNIT_IMAGE, gl->sampler);
+    picture_sampler_bind(gl, overlay->mipmaps, false);
     if (gl->guest.leaves_state)
         return 0; /* the shader can tell */
     return texture_size(&gl->features, GL_TEXTURE_2D, size) ? (double)size[0] / size[1] : 0;

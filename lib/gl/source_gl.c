@@ -72,16 +72,14 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
  * llvmpipe (Mesa 22.3) passes over the gradients of textureGrad and takes differences of places
  * between neighbouring pixels instead, which jump behind the viewer and come to nothing beyond the
  * rim; there it was seen to fetch places half a picture away. docs/geometry.md says what is lost.
+ * What never differs stands since sampler_create.
  */
-static void set_sampler(GLuint sampler, const struct cupola_source *source)
+void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about)
 {
-    bool round_about = source->kind == CUPOLA_SOURCE_EQUIRECTANGULAR;
-    glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER,
-                        source->mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-    glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, round_about ? GL_REPEAT : GL_CLAMP_TO_EDGE);
-    glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindSampler(UNIT_IMAGE, sampler);
+    glSamplerParameteri(gl->sampler, GL_TEXTURE_MIN_FILTER,
+                        mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    glSamplerParameteri(gl->sampler, GL_TEXTURE_WRAP_S, round_about ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+    glBindSampler(UNIT_IMAGE, gl->sampler);
 }
 
 static void set_frame(const struct warp_program *program, const struct source_frame *frame)
@@ -103,7 +101,7 @@ void source_bind(const cupola_gl *gl, const struct warp_program *program,
     source_frame_prepare(&gl->plan.dome, source, &frame);
     glBindTexture(source->kind == CUPOLA_SOURCE_CUBE ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
                   source->texture);
-    set_sampler(gl->sampler, source);
+    picture_sampler_bind(gl, source->mipmaps, source->kind == CUPOLA_SOURCE_EQUIRECTANGULAR);
     glUniform1i(program->mipmaps, source->mipmaps);
     set_frame(program, &frame);
 }
