@@ -221,6 +221,35 @@ CUPOLA_API int cupola_plan_camera(const cupola_plan *plan, int index,
                                   struct cupola_error *error);
 
 /*
+ * Whether a view may see something of a sphere: culling on the CPU, once per view and object. It
+ * never leaves out what the view shows, guard band included; a sphere that passes by an edge or a
+ * corner of the frustum may count as seen.
+ *
+ * camera   of a view; its planes are asked, so a plane of (0, 0, 0, 1) leaves nothing out
+ * center   {x, y, z}, host's camera frame, scene units
+ * radius   scene units; below 0: 0. What holds something that is not a number, or no end, is seen
+ * returns  1: it may be seen; 0: not a point of it is; CUPOLA_ERROR_ARGUMENT for NULL
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API int cupola_camera_sees_sphere(const struct cupola_camera *camera, const float center[3],
+                                         float radius);
+
+/*
+ * The same of a box along the axes of the host's camera frame. A host's own boxes may lie askew:
+ * it gives the box round them, or a sphere.
+ *
+ * camera   as above
+ * least    {x, y, z} of the corner with the least coordinates, host's camera frame, scene units
+ * most     the corner across; coordinates that are less than those of `least` change places
+ * returns  as above
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API int cupola_camera_sees_box(const struct cupola_camera *camera, const float least[3],
+                                      const float most[3]);
+
+/*
  * The name of a layout as on command lines.
  *
  * layout   of enum cupola_layout
