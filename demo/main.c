@@ -43,7 +43,9 @@ static int run(const struct options *options, const struct show_setup *setup, ch
 {
     bool window_wish = options->fullscreen || options->monitor >= 0 || options->swap_interval >= 0;
 
-    if (options->model && !model_trial(options->model, !options->flat, message, MESSAGE_SIZE))
+    if (options->model &&
+        !model_trial(options->model, options_scene_wishes(options).shading != SCENE_FLAT, message,
+                     MESSAGE_SIZE))
         return STATUS_FAILED;
     if (!options->headless && !options->output) {
         int status = window_run(options, setup, message);

@@ -36,15 +36,30 @@ static const char *picture_contradiction(const struct options *o)
     return NULL;
 }
 
+/* The same of options about scenes. */
+static const char *scene_contradiction(const struct options *o)
+{
+    if (o->model && o->scene_given)
+        return "--scene and a MODEL contradict each other; allowed: one of them";
+    if (o->flat && o->shading >= 0)
+        return "--flat and --shading contradict each other; allowed: one of them";
+    if (o->shading >= 0 && (o->show || options_scene_is_numbers(o)))
+        return "--shading needs surfaces; allowed: with a MODEL, --scene cube or --scene forest";
+    if ((o->triangles > 0 || o->seed >= 0) && o->scene != SCENE_FOREST)
+        return "--triangles and --seed belong to --scene forest only";
+    return NULL;
+}
+
 /* The same of all options. */
 const char *options_contradiction(const struct options *o)
 {
     bool window_wish = o->fullscreen || o->monitor >= 0 || o->swap_interval >= 0;
+    const char *problem = scene_contradiction(o);
 
+    if (problem)
+        return problem;
     if (o->plan.density > 0 && o->plan.view_size_px > 0)
         return "--density and --view-size contradict each other; allowed: one of them";
-    if (o->model && o->scene_given)
-        return "--scene and a MODEL contradict each other; allowed: one of them";
     if (o->lens >= 0 && o->lens != CUPOLA_LENS_POLYNOMIAL && o->lens_k.given)
         return "--lens-k belongs to --lens polynomial only";
     if (o->lens >= 0 && o->lens != CUPOLA_LENS_TABLE && o->lens_table)

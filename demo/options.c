@@ -21,7 +21,14 @@ static const char *name_at(const char *const *names, int count, int index)
 
 static const char *scene_name(int index)
 {
-    static const char *const names[] = {"cube", "directions", "screen"};
+    static const char *const names[] = {"cube", "directions", "screen", "forest"};
+    return name_at(names, 4, index);
+}
+
+/* In the order of enum scene_shading. */
+static const char *shading_name(int index)
+{
+    static const char *const names[] = {"flat", "lambert", "heavy"};
     return name_at(names, 3, index);
 }
 
@@ -137,6 +144,12 @@ static bool take_scene(const struct value_context *c, int code, const char *text
         return true;
     case OPTION_FLAT:
         return o->flat = true;
+    case OPTION_SHADING:
+        return value_name(c, text, shading_name, &o->shading);
+    case OPTION_TRIANGLES:
+        return value_integer(c, text, SCENE_TRIANGLES_MIN, SCENE_TRIANGLES_MAX, &o->triangles);
+    case OPTION_SEED:
+        return value_integer(c, text, 0, BIG, &o->seed);
     case OPTION_CAMERA:
         return vector(c, text, BIG, &o->camera);
     case OPTION_LOOK:
@@ -348,6 +361,8 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
 
     *options = (struct options){.lens = -1,
                                 .flip = -1,
+                                .shading = -1,
+                                .seed = -1,
                                 .view_format = -1,
                                 .show_output = -1,
                                 .monitor = -1,

@@ -11,6 +11,7 @@
 
 #include "marks.h"
 #include "option_values.h"
+#include "scene.h"
 
 enum { STATUS_OK = 0, STATUS_FAILED = 1, STATUS_USAGE = 2 };
 
@@ -22,7 +23,7 @@ enum show_mode {
     SHOW_PREVIEW_OUTSIDE,
 };
 
-enum scene_kind { SCENE_CUBE = 0, SCENE_DIRECTIONS, SCENE_SCREEN };
+enum scene_kind { SCENE_CUBE = 0, SCENE_DIRECTIONS, SCENE_SCREEN, SCENE_FOREST };
 
 /* A number or some that may be missing. */
 struct optional {
@@ -38,6 +39,9 @@ struct options {
     bool scene_given;
     enum scene_kind scene;
     bool flat;
+    int shading;   /* -1: not given; else of enum scene_shading */
+    int triangles; /* 0: not given */
+    int seed;      /* -1: not given */
 
     const char *show; /* a file, or a pattern of names; NULL: the scene */
     enum cupola_source_kind show_as;
@@ -105,6 +109,12 @@ int options_rig(const struct options *options, struct cupola_rig *rig, char *mes
 
 /* The index of the output that is shown, and that the options change. */
 int options_output(const struct options *options);
+
+/* What the options wish of a scene. */
+struct scene_wishes options_scene_wishes(const struct options *options);
+
+/* Whether the scene's colours are numbers. */
+bool options_scene_is_numbers(const struct options *options);
 
 /* Says on stderr that only one of the rig's outputs is shown, unless the user chose it. */
 void options_notice(const struct options *options, const struct cupola_rig *rig);

@@ -17,11 +17,12 @@ static void join_lines(char *text)
             text[i] = ' ';
 }
 
-static GLuint compile(GLenum kind, const char *name, const char *source, char *message,
-                      size_t message_size)
+static GLuint compile(GLenum kind, const char *name, const char *first, const char *second,
+                      char *message, size_t message_size)
 {
+    const char *const sources[] = {first, second};
     GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 1, &source, NULL);
+    glShaderSource(shader, 2, sources, NULL);
     glCompileShader(shader);
     GLint compiled = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -39,10 +40,18 @@ static GLuint compile(GLenum kind, const char *name, const char *source, char *m
 unsigned int program_create(const char *name, const char *vertex_source,
                             const char *fragment_source, char *message, size_t message_size)
 {
-    GLuint vertex = compile(GL_VERTEX_SHADER, name, vertex_source, message, message_size);
+    return program_create_of(name, vertex_source, fragment_source, "", message, message_size);
+}
+
+unsigned int program_create_of(const char *name, const char *vertex_source,
+                               const char *fragment_functions, const char *fragment_main,
+                               char *message, size_t message_size)
+{
+    GLuint vertex = compile(GL_VERTEX_SHADER, name, vertex_source, "", message, message_size);
     if (!vertex)
         return 0;
-    GLuint fragment = compile(GL_FRAGMENT_SHADER, name, fragment_source, message, message_size);
+    GLuint fragment =
+        compile(GL_FRAGMENT_SHADER, name, fragment_functions, fragment_main, message, message_size);
     if (!fragment) {
         glDeleteShader(vertex);
         return 0;

@@ -8,9 +8,9 @@
 #include <epoxy/gl.h>
 
 #include "demo_shaders.h"
-#include "program.h"
 #include "scene_cube_picture.h"
 #include "scene_matrix.h"
+#include "shading.h"
 
 /* From the middle to each face; a dome of 1 m fits in with its viewer anywhere. */
 static const float half_side = 2;
@@ -22,6 +22,7 @@ struct cube_scene {
     GLuint vertices;
     GLuint pictures;
     GLint clip_from_world;
+    GLint eye;
 };
 
 struct corner {
@@ -33,10 +34,13 @@ struct corner {
 static void cube_draw(struct scene *scene, const struct scene_camera *camera)
 {
     struct cube_scene *cube = (struct cube_scene *)scene;
-    double clip[16];
-    float matrix[16];
+    double clip[16], basis[9], eye[3];
+    float matrix[16], float_eye[3];
     scene_clip_from_world(camera, clip);
+    if (!scene_rays(clip, basis, eye))
+        return;
     scene_to_float(clip, 16, matrix);
+    scene_to_float(eye, 3, float_eye);
 
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
@@ -46,6 +50,7 @@ static void cube_draw(struct scene *scene, const struct scene_camera *camera)
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glUseProgram(cube->program);
     glUniformMatrix4fv(cube->clip_from_world, 1, GL_FALSE, matrix);
+    glUniform3fv(cube->eye, 1, float_eye);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, cube->pictures);
     glBindVertexArray(cube->vertex_array);
@@ -53,6 +58,8 @@ static void cube_draw(struct scene *scene, const struct scene_camera *camera)
     glBindVertexArray(0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     glUseProgram(0);
+    scene->drawn.triangles += scene->whole.triangles;
+    scene->drawn.instances += scene->whole.instances;
 }
 
 static void cube_destroy(struct scene *scene)
@@ -148,7 +155,25 @@ static bool create_pictures(struct cube_scene *cube)
     return true;
 }
 
-struct scene *scene_cube_create(bool flat, char *message, size_t message_size)
+static bool create_program(struct cube_scene *cube, const struct scene_wishes *wishes,
+                           char *message, size_t message_size)
+{
+    const struct shading_lamps lamps = {
+        .radius = 0.6 * (double)half_side, .lowest = -0.9, .bump_size = 0.12f};
+    cube->program = shading_program_create("cube", shader_cube_vert, shader_cube_frag,
+                                           shader_lamp_glsl, &lamps, wishes, message, message_size);
+    if (!cube->program)
+        return false;
+    cube->clip_from_world = glGetUniformLocation(cube->program, "clip_from_world");
+    cube->eye = glGetUniformLocation(cube->program, "eye");
+    glUseProgram(cube->program);
+    glUniform1i(glGetUniformLocation(cube->program, "pictures"), 0);
+    glUseProgram(0);
+    return true;
+}
+
+struct scene *scene_cube_create(const struct scene_wishes *wishes, char *message,
+                                size_t message_size)
 {
     struct cube_scene *cube = calloc(1, sizeof *cube);
     if (!cube) {
@@ -159,20 +184,14 @@ struct scene *scene_cube_create(bool flat, char *message, size_t message_size)
     cube->scene.destroy = cube_destroy;
     cube->scene.distance = cube_distance;
     cube->scene.radius = (double)half_side * sqrt(3);
-    cube->program =
-        program_create("cube", shader_cube_vert, shader_cube_frag, message, message_size);
-    if (!cube->program)
+    cube->scene.whole = (struct scene_counts){2L * CUBE_FACES, 1};
+    if (!create_program(cube, wishes, message, message_size))
         goto fail;
     if (!create_pictures(cube)) {
         snprintf(message, message_size, "scene 'cube': out of memory");
         goto fail;
     }
     create_walls(cube);
-    cube->clip_from_world = glGetUniformLocation(cube->program, "clip_from_world");
-    glUseProgram(cube->program);
-    glUniform1i(glGetUniformLocation(cube->program, "pictures"), 0);
-    glUniform1i(glGetUniformLocation(cube->program, "lamp"), !flat);
-    glUseProgram(0);
     return &cube->scene;
 
 fail:

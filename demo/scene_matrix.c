@@ -18,8 +18,8 @@ void scene_clip_from_camera(const struct scene_camera *camera, double clip[16])
 {
     double projection[16];
     for (int i = 0; i < 16; i++)
-        projection[i] = (double)camera->projection[i];
-    product(projection, camera->view, clip);
+        projection[i] = (double)camera->view->projection[i];
+    product(projection, camera->view->view, clip);
 }
 
 void scene_clip_from_world(const struct scene_camera *camera, double clip[16])

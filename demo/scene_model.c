@@ -12,10 +12,8 @@
 #include "model.h"
 #include "program.h"
 #include "scene_matrix.h"
+#include "shading.h"
 #include "short_path.h"
-
-/* Towards the sun: over the left shoulder of someone who looks along -Z. */
-static const double sun[3] = {-0.48, 0.72, 0.50};
 
 struct model_scene {
     struct scene scene;
@@ -84,6 +82,8 @@ static void model_scene_draw(struct scene *base, const struct scene_camera *came
     draw_batches(scene);
     glBindVertexArray(0);
     glUseProgram(0);
+    base->drawn.triangles += base->whole.triangles;
+    base->drawn.instances += base->whole.instances;
 }
 
 static void model_scene_destroy(struct scene *base)
@@ -180,7 +180,7 @@ static double round_step(double radius)
     return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
 }
 
-static void set_backdrop(struct model_scene *scene, const float float_sun[3])
+static void set_backdrop(struct model_scene *scene)
 {
     const struct model *model = scene->model;
     float center[3], half_size[3] = {0};
@@ -191,7 +191,7 @@ static void set_backdrop(struct model_scene *scene, const float float_sun[3])
     glUseProgram(scene->backdrop);
     glUniform3fv(glGetUniformLocation(scene->backdrop, "center"), 1, center);
     glUniform3fv(glGetUniformLocation(scene->backdrop, "half_size"), 1, half_size);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "sun"), 1, float_sun);
+    glUniform3fv(glGetUniformLocation(scene->backdrop, "sun"), 1, shading_sun);
     glUniform1f(glGetUniformLocation(scene->backdrop, "grid_step"),
                 (float)round_step(scene->scene.radius));
     glUseProgram(0);
@@ -208,37 +208,36 @@ static void set_place(struct scene *scene, const struct model *model)
         scene->suggested[2] += 1.6 * scene->radius;
 }
 
-static bool create_programs(struct model_scene *scene, bool flat, char *message,
-                            size_t message_size)
+static bool create_programs(struct model_scene *scene, const struct scene_wishes *wishes,
+                            char *message, size_t message_size)
 {
-    scene->program = program_create("model", shader_model_vert,
-                                    flat ? shader_model_flat_frag : shader_model_lit_frag, message,
-                                    message_size);
+    const double *center = scene->scene.center, radius = scene->scene.radius;
+    const struct shading_lamps lamps = {.center = {center[0], center[1], center[2]},
+                                        .radius = 1.8 * radius,
+                                        .lowest = 0.1,
+                                        .bump_size = (float)(radius / 20)};
+    scene->program =
+        shading_program_create("model", shader_model_vert, shader_model_frag, shader_sunlight_glsl,
+                               &lamps, wishes, message, message_size);
     if (!scene->program)
         return false;
     glUseProgram(scene->program);
     glUniform1i(glGetUniformLocation(scene->program, "picture"), 0);
     glUseProgram(0);
-    if (flat)
+    if (wishes->shading == SCENE_FLAT)
         return true;
-    float float_sun[3];
-    double length = sqrt(sun[0] * sun[0] + sun[1] * sun[1] + sun[2] * sun[2]);
-    for (int k = 0; k < 3; k++)
-        float_sun[k] = (float)(sun[k] / length);
-    glUseProgram(scene->program);
-    glUniform3fv(glGetUniformLocation(scene->program, "sun"), 1, float_sun);
-    glUseProgram(0);
     scene->backdrop =
         program_create("backdrop", shader_rays_vert, shader_backdrop_frag, message, message_size);
     if (!scene->backdrop)
         return false;
-    set_backdrop(scene, float_sun);
+    set_backdrop(scene);
     return true;
 }
 
-struct scene *scene_model_create(const char *path, bool flat, char *message, size_t message_size)
+struct scene *scene_model_create(const char *path, const struct scene_wishes *wishes, char *message,
+                                 size_t message_size)
 {
-    struct model *model = model_load(path, !flat, message, message_size);
+    struct model *model = model_load(path, wishes->shading != SCENE_FLAT, message, message_size);
     if (!model)
         return NULL;
     struct model_scene *scene = calloc(1, sizeof *scene);
@@ -251,8 +250,9 @@ struct scene *scene_model_create(const char *path, bool flat, char *message, siz
     scene->scene.draw = model_scene_draw;
     scene->scene.destroy = model_scene_destroy;
     scene->scene.distance = model_scene_distance;
+    scene->scene.whole = (struct scene_counts){(long)(model->index_count / 3), 1};
     set_place(&scene->scene, model);
-    if (!create_programs(scene, flat, message, message_size))
+    if (!create_programs(scene, wishes, message, message_size))
         goto fail;
     while (glGetError() != GL_NO_ERROR)
         continue;

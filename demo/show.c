@@ -9,6 +9,7 @@
 #include <epoxy/gl.h>
 
 #include "grid.h"
+#include "perspective.h"
 #include "target.h"
 #include "view_wishes.h"
 
@@ -200,8 +201,7 @@ static bool draw_views(struct show *show, const struct show_frame *frame, const 
         if (cupola_gl_view_begin(show->gl, i, &view, error) < 0)
             return false;
         frame->scene->draw(frame->scene,
-                           &(struct scene_camera){view.camera.projection, view.camera.view, host,
-                                                  show->setup.reversed_depth});
+                           &(struct scene_camera){&view.camera, host, show->setup.reversed_depth});
         if (frame->grid)
             grid_draw(frame->grid, show->dome, cupola_plan_view(show->plan, i));
         if (cupola_gl_view_end(show->gl, error) < 0)
@@ -219,19 +219,17 @@ static void draw_perspective(struct show *show, const struct show_frame *frame,
     double per_px = tan(output->lens.fov_rad / 2) / output->circle.radius_px;
     double left = -output->circle.center_x_px * per_px;
     double bottom = -output->circle.center_y_px * per_px;
-    double width = frame->width * per_px, height = frame->height * per_px;
-    float view[16] = {
-        1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, (float)-eye[0], (float)-eye[1], (float)-eye[2], 1};
-    float projection[16] = {0};
+    struct cupola_camera camera;
 
-    projection[0] = (float)(2 / width);
-    projection[5] = (float)(2 / height);
-    projection[8] = (float)((2 * left + width) / width);
-    projection[9] = (float)((2 * bottom + height) / height);
-    projection[10] = (float)(-(f + n) / (f - n));
-    projection[11] = -1;
-    projection[14] = (float)(-2 * f * n / (f - n));
-
+    perspective_camera(&(struct perspective){.rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                             .eye = {eye[0], eye[1], eye[2]},
+                                             .left = left,
+                                             .right = left + frame->width * per_px,
+                                             .bottom = bottom,
+                                             .top = bottom + frame->height * per_px,
+                                             .near_distance = n,
+                                             .far_distance = f},
+                       &camera);
     glBindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     glViewport(0, 0, frame->width, frame->height);
     glDisable(GL_SCISSOR_TEST);
@@ -241,7 +239,7 @@ static void draw_perspective(struct show *show, const struct show_frame *frame,
     glClearColor(frame->scene->clear_color[0], frame->scene->clear_color[1],
                  frame->scene->clear_color[2], frame->scene->clear_color[3]);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    frame->scene->draw(frame->scene, &(struct scene_camera){projection, view, host, false});
+    frame->scene->draw(frame->scene, &(struct scene_camera){&camera, host, false});
 }
 
 void show_draw_atlas(const struct show *show, unsigned int framebuffer,
@@ -360,6 +358,7 @@ bool show_draw(struct show *show, const struct show_frame *frame, char *message)
     struct frame_times times = {0};
     double start_ms;
 
+    frame->scene->drawn = (struct scene_counts){0, 0};
     phase_ms(frame, 0);
     start_ms = now_ms();
     if (!frame->source && !draw_scene(show, frame, &error))

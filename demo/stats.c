@@ -127,8 +127,8 @@ static void write_string(FILE *file, const char *text)
     fputc('"', file);
 }
 
-static void write_object(struct stats *stats, const struct show *show, const char *renderer,
-                         FILE *file)
+static void write_object(struct stats *stats, const struct show *show, const struct scene *scene,
+                         const char *renderer, FILE *file)
 {
     /* A plain perspective view has one texel for every pixel. */
     static const struct cupola_plan_report plain = {
@@ -154,11 +154,16 @@ static void write_object(struct stats *stats, const struct show *show, const cha
     fprintf(file, "  \"texels_allocated_per_pixel\": %.6g,\n", report->texels_allocated_per_pixel);
     fprintf(file, "  \"texels_shaded_per_pixel\": %.6g,\n", report->texels_shaded_per_pixel);
     fprintf(file, "  \"texels_sampled_per_pixel\": %.6g,\n", report->texels_sampled_per_pixel);
+    fprintf(file, "  \"triangles\": %ld,\n", scene->whole.triangles);
+    fprintf(file, "  \"triangles_drawn\": %ld,\n", scene->drawn.triangles);
+    fprintf(file, "  \"instances\": %ld,\n", scene->whole.instances);
+    fprintf(file, "  \"instances_drawn\": %ld,\n", scene->drawn.instances);
     /* Linux counts in kibibytes. */
     fprintf(file, "  \"peak_rss_bytes\": %.0f\n}\n", (double)usage.ru_maxrss * 1024);
 }
 
-bool stats_write(struct stats *stats, const struct show *show, const char *renderer, char *message)
+bool stats_write(struct stats *stats, const struct show *show, const struct scene *scene,
+                 const char *renderer, char *message)
 {
     bool to_stdout = strcmp(stats->path, "-") == 0;
     size_t length = strlen(stats->path) + 32;
@@ -176,7 +181,7 @@ bool stats_write(struct stats *stats, const struct show *show, const char *rende
         if (!file)
             goto fail;
     }
-    write_object(stats, show, renderer, file);
+    write_object(stats, show, scene, renderer, file);
     failed = ferror(file) != 0;
     if ((to_stdout ? fflush(file) : fclose(file)) != 0 || failed)
         goto fail;

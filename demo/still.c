@@ -131,8 +131,8 @@ static bool write_files(struct still *still, const struct options *options, cons
     if (still->stats) {
         stats_time_tables(still->stats, still->show);
         if (strcmp(options->stats, "-") != 0 &&
-            !stats_write(still->stats, still->show, (const char *)glGetString(GL_RENDERER),
-                         message))
+            !stats_write(still->stats, still->show, still->world.scene,
+                         (const char *)glGetString(GL_RENDERER), message))
             return false;
     }
     if (!still->numbered &&
@@ -140,14 +140,14 @@ static bool write_files(struct still *still, const struct options *options, cons
                              still->target.height, message))
         return false;
     if (still->stats && strcmp(options->stats, "-") == 0)
-        return stats_write(still->stats, still->show, (const char *)glGetString(GL_RENDERER),
-                           message);
+        return stats_write(still->stats, still->show, still->world.scene,
+                           (const char *)glGetString(GL_RENDERER), message);
     return !still->stats || stats_keep(still->stats, message);
 }
 
 const char *still_default_path(const struct options *options)
 {
-    return !options->model && options->scene != SCENE_CUBE ? "dome.pfm" : "dome.png";
+    return options_scene_is_numbers(options) ? "dome.pfm" : "dome.png";
 }
 
 int still_run(const struct options *options, const struct show_setup *setup, char *message)

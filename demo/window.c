@@ -273,7 +273,8 @@ static bool loop(struct window *window, const struct options *options, struct st
     if (!stats)
         return true;
     stats_time_tables(stats, window->show);
-    return stats_write(stats, window->show, (const char *)glGetString(GL_RENDERER), message) &&
+    return stats_write(stats, window->show, window->world.scene,
+                       (const char *)glGetString(GL_RENDERER), message) &&
            stats_keep(stats, message);
 }
 

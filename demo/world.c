@@ -28,17 +28,20 @@ static struct scene *create_scene(const struct options *options, const struct cu
 {
     double c = cos(rig->tilt_rad), s = sin(rig->tilt_rad);
     const double camera_to_dome[9] = {1, 0, 0, 0, c, s, 0, -s, c}; /* R_x(-tilt) */
+    const struct scene_wishes wishes = options_scene_wishes(options);
 
     if (options->model)
-        return scene_model_create(options->model, options->flat, message, MESSAGE_SIZE);
+        return scene_model_create(options->model, &wishes, message, MESSAGE_SIZE);
     switch (options->scene) {
     case SCENE_DIRECTIONS:
         return scene_directions_create(message, MESSAGE_SIZE);
     case SCENE_SCREEN:
         return scene_screen_create(camera_to_dome, rig->eye_m, rig->screen.radius_m, message,
                                    MESSAGE_SIZE);
+    case SCENE_FOREST:
+        return scene_forest_create(&wishes, message, MESSAGE_SIZE);
     default:
-        return scene_cube_create(options->flat, message, MESSAGE_SIZE);
+        return scene_cube_create(&wishes, message, MESSAGE_SIZE);
     }
 }
 
