@@ -48,3 +48,24 @@ double picture_difference(const struct picture *a, const struct picture *b)
         largest = fmax(largest, fabs((double)a->rgba[i] - (double)b->rgba[i]));
     return largest;
 }
+
+static bool differ(const float *a, const float *b)
+{
+    for (int c = 0; c < 3; c++)
+        if (!(fabsf(a[c] - b[c]) <= 0.015f))
+            return true;
+    return false;
+}
+
+int picture_others(const struct picture *small, const struct picture *large, int left, int bottom)
+{
+    int count = 0;
+
+    for (int y = 0; y < small->height; y++)
+        for (int x = 0; x < small->width; x++) {
+            int to_x = left + x, to_y = bottom + y;
+            if (to_x < large->width && to_y < large->height)
+                count += differ(picture_pixel(small, x, y), picture_pixel(large, to_x, to_y));
+        }
+    return count;
+}

@@ -21,4 +21,9 @@ const float *picture_pixel(const struct picture *picture, int x, int y);
 /* Over all pixels and channels; the test fails if the sizes differ. */
 double picture_difference(const struct picture *a, const struct picture *b);
 
+/*
+ * How many pixels of `small` differ by more than 0.015 from those of `large` from (left, bottom) on.
+ */
+int picture_others(const struct picture *small, const struct picture *large, int left, int bottom);
+
 #endif

@@ -78,6 +78,9 @@ static void a_wrong_number_names_option_value_and_range(void **state)
         {"--view-size 0", "--view-size: '0'", "1 to 16384"},
         {"--guard 1.5", "--guard: '1.5'", "1 to 256"},
         {"--msaa 0", "--msaa: '0'", "1 to 64"},
+        {"--scene forest --triangles 999", "--triangles: '999'", "1000 to 50000000"},
+        {"--scene forest --triangles 1e6", "--triangles: '1e6'", "1000 to 50000000"},
+        {"--scene forest --seed -1", "--seed: '-1'", "0 to 1000000"},
         {"--msaa 4x", "--msaa: '4x'", "1 to 64"},
         {"--views 0", "--views: '0'", "auto or a whole number, 1 to 8"},
         {"--views many", "--views: 'many'", "auto or a whole number, 1 to 8"},
@@ -125,7 +128,8 @@ static void a_vector_has_all_its_components(void **state)
 static void an_unknown_name_is_answered_with_the_known_ones(void **state)
 {
     static const struct wrong wrongs[] = {
-        {"--scene moon", "--scene: 'moon'", "cube, directions, screen"},
+        {"--scene moon", "--scene: 'moon'", "cube, directions, screen, forest"},
+        {"--shading moon", "--shading: 'moon'", "flat, lambert, heavy"},
         {"--preset moon", "--preset: 'moon'", "visionstation, domemaster, truncated-16x10"},
         {"--lens moon", "--lens: 'moon'",
          "angular, hemispheric, equisolid, stereographic, polynomial, table"},
@@ -147,6 +151,11 @@ static void options_that_contradict_each_other_are_refused(void **state)
     static const struct wrong wrongs[] = {
         {"--density 1 --view-size 100", "--density and --view-size", "one of them"},
         {"--scene cube a.obj", "--scene and a MODEL", "one of them"},
+        {"--flat --shading heavy", "--flat and --shading", "one of them"},
+        {"--scene screen --shading flat", "--shading", "--scene cube or --scene forest"},
+        {"--shading flat --show a.png --as cube", "--shading", "with a MODEL"},
+        {"--triangles 2000", "--triangles and --seed", "--scene forest"},
+        {"--seed 1 a.obj", "--triangles and --seed", "--scene forest"},
         {"--perspective --views-only", "--views-only", "one of"},
         {"--perspective --label N@1,2", "--label and --cursor", "--preview"},
         {"--views-only --cursor 1,2", "--label and --cursor", "--preview"},
