@@ -33,6 +33,9 @@ struct scene_wishes {
     int lamps;         /* of SCENE_HEAVY, up to SCENE_LAMPS_MAX; 0: SCENE_LAMPS */
     int triangles;     /* of the forest, from MIN to MAX; 0: SCENE_TRIANGLES */
     unsigned int seed; /* of the forest */
+    /* To set a load, for whoever measures; the demo leaves them 0. */
+    bool smooth;    /* SCENE_HEAVY without bumps */
+    int anisotropy; /* of the room's pictures, at most; 0: 8; 1: trilinear filtering */
 };
 
 /* What drawing costs besides pixels. */

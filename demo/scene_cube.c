@@ -123,7 +123,7 @@ static void create_walls(struct cube_scene *cube)
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-static bool create_pictures(struct cube_scene *cube)
+static bool create_pictures(struct cube_scene *cube, int anisotropy)
 {
     const int size = CUBE_PICTURE_SIZE_PX;
     unsigned char *picture = malloc((size_t)size * (size_t)size * 4);
@@ -149,7 +149,8 @@ static bool create_pictures(struct cube_scene *cube)
         epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
         float most = 1;
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
-        glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT, fminf(most, 8));
+        glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                        fminf(most, (float)anisotropy));
     }
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     return true;
@@ -187,7 +188,7 @@ struct scene *scene_cube_create(const struct scene_wishes *wishes, char *message
     cube->scene.whole = (struct scene_counts){2L * CUBE_FACES, 1};
     if (!create_program(cube, wishes, message, message_size))
         goto fail;
-    if (!create_pictures(cube)) {
+    if (!create_pictures(cube, wishes->anisotropy > 0 ? wishes->anisotropy : 8)) {
         snprintf(message, message_size, "scene 'cube': out of memory");
         goto fail;
     }

@@ -34,7 +34,7 @@ static void set_lamp(const struct shading_lamps *lamps, int index, int count, fl
     }
 }
 
-static void set_lamps(GLuint program, const struct shading_lamps *lamps, int count)
+static void set_lamps(GLuint program, const struct shading_lamps *lamps, int count, bool smooth)
 {
     float places[SCENE_LAMPS_MAX][3], colors[SCENE_LAMPS_MAX][3];
 
@@ -43,7 +43,7 @@ static void set_lamps(GLuint program, const struct shading_lamps *lamps, int cou
     glUniform1i(glGetUniformLocation(program, "lamp_count"), count);
     glUniform3fv(glGetUniformLocation(program, "lamp_places"), count, places[0]);
     glUniform3fv(glGetUniformLocation(program, "lamp_colors"), count, colors[0]);
-    glUniform1f(glGetUniformLocation(program, "bump_size"), lamps->bump_size);
+    glUniform1f(glGetUniformLocation(program, "bump_size"), smooth ? 0 : lamps->bump_size);
     glUniform1f(glGetUniformLocation(program, "smoothest"),
                 lamps->smoothest > 0 ? lamps->smoothest : 0.25f);
 }
@@ -63,7 +63,8 @@ unsigned int shading_program_create(const char *name, const char *vertex, const 
     glUseProgram(program);
     glUniform3fv(glGetUniformLocation(program, "sun"), 1, shading_sun);
     if (wishes->shading == SCENE_HEAVY)
-        set_lamps(program, lamps, count < SCENE_LAMPS_MAX ? count : SCENE_LAMPS_MAX);
+        set_lamps(program, lamps, count < SCENE_LAMPS_MAX ? count : SCENE_LAMPS_MAX,
+                  wishes->smooth);
     glUseProgram(0);
     return program;
 }

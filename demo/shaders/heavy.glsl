@@ -9,7 +9,7 @@ const float PI = 3.14159265;
 uniform int lamp_count;
 uniform vec3 lamp_places[LAMPS_MAX]; // world
 uniform vec3 lamp_colors[LAMPS_MAX]; // the light at distance d is this / d^2
-uniform float bump_size;             // width of the coarsest bumps, world units
+uniform float bump_size;             // width of the coarsest bumps, world units; 0: none
 uniform float smoothest;             // the least roughness
 
 // A number from 0 to 1 for every point of the lattice.
@@ -73,7 +73,7 @@ vec3 shaded(vec3 base, vec3 place, vec3 normal, vec3 eye)
     float far_off = distance(eye, place);
     vec3 to_eye = (eye - place) / max(far_off, 1e-6);
     normal = normalize(normal);
-    vec4 bump = bumps(place, max(far_off, 1e-6));
+    vec4 bump = bump_size > 0.0 ? bumps(place, max(far_off, 1e-6)) : vec4(0.0, 0.0, 0.0, 0.5);
     vec3 along = bump.xyz - normal * dot(normal, bump.xyz);
     normal = normalize(normal - 0.5 * along);
     float roughness = smoothest + 0.4 * (1.0 - bump.w);
