@@ -4,7 +4,7 @@
 
 #include <getopt.h>
 
-/* The order makes groups: rig, plan, and what is drawn where. */
+/* The order makes groups: the scene, pictures, what lies over them, rig, plan, and the rest. */
 enum option_code {
     OPTION_HELP = 256,
     OPTION_VERSION,

@@ -10,6 +10,7 @@
 #include "option_check.h"
 #include "option_list.h"
 #include "option_paths.h"
+#include "scene_options.h"
 #include "short_path.h"
 
 enum { BIG = 1000000 };
@@ -17,19 +18,6 @@ enum { BIG = 1000000 };
 static const char *name_at(const char *const *names, int count, int index)
 {
     return index >= 0 && index < count ? names[index] : NULL;
-}
-
-static const char *scene_name(int index)
-{
-    static const char *const names[] = {"cube", "directions", "screen", "forest"};
-    return name_at(names, 4, index);
-}
-
-/* In the order of enum scene_shading. */
-static const char *shading_name(int index)
-{
-    static const char *const names[] = {"flat", "lambert", "heavy"};
-    return name_at(names, 3, index);
 }
 
 static const char *flip_name(int index)
@@ -130,26 +118,12 @@ static bool set_mode(const struct value_context *context, enum show_mode mode, e
     return false;
 }
 
-/* Options about what is drawn and where it goes. */
-static bool take_scene(const struct value_context *c, int code, const char *text, struct options *o)
+/* Options about where the camera is and where the picture goes. */
+static bool take_place(const struct value_context *c, int code, const char *text, struct options *o)
 {
     int index;
 
     switch (code) {
-    case OPTION_SCENE:
-        if (!value_name(c, text, scene_name, &index))
-            return false;
-        o->scene = (enum scene_kind)index;
-        o->scene_given = true;
-        return true;
-    case OPTION_FLAT:
-        return o->flat = true;
-    case OPTION_SHADING:
-        return value_name(c, text, shading_name, &o->shading);
-    case OPTION_TRIANGLES:
-        return value_integer(c, text, SCENE_TRIANGLES_MIN, SCENE_TRIANGLES_MAX, &o->triangles);
-    case OPTION_SEED:
-        return value_integer(c, text, 0, BIG, &o->seed);
     case OPTION_CAMERA:
         return vector(c, text, BIG, &o->camera);
     case OPTION_LOOK:
@@ -330,11 +304,13 @@ static bool take(int code, int index, const char *text, struct options *options,
             return take_rig(&context, code, text, options);
         if (code >= OPTION_LAYOUT && code <= OPTION_TABLE)
             return take_plan(&context, code, text, options);
+        if (code >= OPTION_SCENE && code <= OPTION_SEED)
+            return scene_options_take(&context, code, text, options);
         if (code >= OPTION_LABEL && code <= OPTION_CURSOR)
             return take_mark(&context, code, text, options);
         if (code >= OPTION_SHOW && code <= OPTION_PICTURE_PLACE)
             return take_picture(&context, code, text, options);
-        return take_scene(&context, code, text, options);
+        return take_place(&context, code, text, options);
     }
 }
 

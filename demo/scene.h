@@ -12,7 +12,7 @@
 
 /* Matrices are column-major, as GL has them: clip = projection view host x. */
 struct scene_camera {
-    /* One of Cupola's, or of perspective.h. The planes are for culling: (0, 0, 0, 1) culls nothing. */
+    /* Of Cupola's, or of perspective.h. Planes are for culling: (0, 0, 0, 1) culls nothing. */
     const struct cupola_camera *view;
     const float *host;   /* world to the host's camera frame; rotation and displacement only */
     bool reversed_depth; /* what is nearer has the greater depth */

@@ -1,4 +1,4 @@
-/* The forest: instances, those that the view may see, from a buffer that is filled for each view. */
+/* The forest: of its instances those that a view may see, in a buffer filled for each view. */
 #include "scene.h"
 
 #include <math.h>

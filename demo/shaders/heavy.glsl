@@ -1,7 +1,7 @@
 #version 330 core
 // Many lamps on a bumpy surface, physically based: Lambert below, above it microfacets with the
 // distribution of GGX, Smith's masking and Schlick's Fresnel term. Everything depends on world
-// coordinates and the eye's place alone, never on derivatives or the view: neighbouring views agree.
+// coordinates and the eye's place alone, never on derivatives or the view, so that views agree.
 
 const int LAMPS_MAX = 64;
 const float PI = 3.14159265;

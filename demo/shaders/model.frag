@@ -1,4 +1,4 @@
-// A model's surface: the material's colour as the file has it, in the scene's light from both sides.
+// A model's surface: the material's colour as the file has it, in light from both sides.
 
 in vec3 surface_place;
 in vec3 surface_normal;

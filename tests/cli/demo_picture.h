@@ -22,7 +22,7 @@ const float *picture_pixel(const struct picture *picture, int x, int y);
 double picture_difference(const struct picture *a, const struct picture *b);
 
 /*
- * How many pixels of `small` differ by more than 0.015 from those of `large` from (left, bottom) on.
+ * How many pixels of `small` differ by more than 0.015 from `large` from (left, bottom) on.
  */
 int picture_others(const struct picture *small, const struct picture *large, int left, int bottom);
 

@@ -1,4 +1,4 @@
-/* The demo's forest: as many triangles as wished, the same for a seed, and culled without a loss. */
+/* The demo's forest: as many triangles as wished, the same for a seed, culled without loss. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
