@@ -1,0 +1,55 @@
+/*
+ * One way to come to a picture, whoever draws it: views of the scene first, then what makes the
+ * output's picture of them. Every contender lands in the setting's target.
+ */
+#ifndef CONTENDER_H
+#define CONTENDER_H
+
+#include "setting.h"
+
+/* What a contender's pictures show, and so what they are compared with. */
+enum shows { SHOWS_NOTHING, SHOWS_DOME, SHOWS_PLAIN_VIEW };
+
+struct contender_facts {
+    enum shows shows;
+    int views;
+    double texels; /* of all views, guard bands included */
+    double bytes;  /* of colour and depth that the views take */
+    char note[256];
+};
+
+struct contender_kind {
+    /* NULL with one line in `message` where it cannot serve the setting. */
+    void *(*prepare)(const struct setting *setting, int variant, char *message);
+    bool (*views)(void *self); /* NULL: it has none */
+    bool (*warp)(void *self);  /* NULL: its view is the picture */
+    void (*facts)(const void *self, struct contender_facts *facts);
+    void (*release)(void *self);
+};
+
+struct contender {
+    char name[32];
+    const struct contender_kind *kind;
+    int variant; /* what it means is the kind's */
+};
+
+/* One plain view, straight into the target. */
+extern const struct contender_kind contender_plain_view;
+/* A texture of the output's size, drawn over all of it bilinearly. */
+extern const struct contender_kind contender_blit;
+
+/* Cupola with 0 (its own choice) or as many rotated views as the variant says. */
+extern const struct contender_kind contender_cupola;
+/* Cupola's own choice with the table stage that the variant is. */
+extern const struct contender_kind contender_stage;
+/* The views of Cupola's own choice, and a warp that computes nothing. */
+extern const struct contender_kind contender_control;
+
+/* 4 or 6 full faces of a cube; by trigonometry in the shader, or by a mesh. */
+enum cube_variant { CUBE_4_TRIGONOMETRY, CUBE_6_TRIGONOMETRY, CUBE_6_MESH };
+extern const struct contender_kind contender_cube;
+
+/* Three frusta set by hand, and a mesh for each. */
+extern const struct contender_kind contender_frusta;
+
+#endif

@@ -1,0 +1,161 @@
+/* Cupola as a host uses it, and the same views under a warp that computes nothing. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <epoxy/gl.h>
+
+#include "bench_shaders.h"
+#include "contender.h"
+#include "program.h"
+
+struct cupola_frames {
+    const struct setting *setting;
+    cupola_plan *plan;
+    cupola_gl *gl;
+    GLuint program; /* of the control */
+    GLuint vertex_array;
+};
+
+static void frames_release(void *self)
+{
+    struct cupola_frames *frames = self;
+
+    if (!frames)
+        return;
+    cupola_gl_destroy(&frames->gl);
+    cupola_plan_destroy(&frames->plan);
+    glDeleteProgram(frames->program);
+    glDeleteVertexArrays(1, &frames->vertex_array);
+    free(frames);
+}
+
+static struct cupola_frames *prepare(const struct setting *setting,
+                                     const struct cupola_plan_params *wishes,
+                                     const struct cupola_gl_params *params, char *message)
+{
+    struct cupola_error error = {0};
+    struct cupola_plan_params plan = *wishes;
+    struct cupola_frames *frames = calloc(1, sizeof *frames);
+    GLint largest = 0;
+
+    if (!frames) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        return NULL;
+    }
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+    plan.max_texture_px = largest > 16384 ? 16384 : largest;
+    frames->setting = setting;
+    if (cupola_plan_create(setting->dome, &plan, &frames->plan, &error) < 0 ||
+        cupola_gl_create(frames->plan, params, &frames->gl, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+        frames_release(frames);
+        return NULL;
+    }
+    return frames;
+}
+
+static void *views_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_plan_params plan = {.views = variant};
+
+    if (variant > 0)
+        plan.layout = CUPOLA_LAYOUT_ROTATED;
+    return prepare(setting, &plan, &setting->gl, message);
+}
+
+static void *stage_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_gl_params params = setting->gl;
+
+    params.table = (enum cupola_table)variant;
+    return prepare(setting, &(struct cupola_plan_params){0}, &params, message);
+}
+
+static void *control_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_frames *frames = views_prepare(setting, variant, message);
+
+    if (!frames)
+        return NULL;
+    frames->program =
+        program_create("control", shader_whole_vert, shader_blit_frag, message, MESSAGE_SIZE);
+    if (!frames->program) {
+        frames_release(frames);
+        return NULL;
+    }
+    glGenVertexArrays(1, &frames->vertex_array);
+    return frames;
+}
+
+static bool frames_views(void *self)
+{
+    struct cupola_frames *frames = self;
+    struct scene *scene = frames->setting->scene;
+    struct cupola_frame begin = {.depth = frames->setting->depth};
+    struct cupola_gl_view view;
+    int views;
+
+    for (int i = 0; i < 4; i++)
+        begin.clear_color[i] = scene->clear_color[i];
+    views = cupola_gl_frame_begin(frames->gl, &begin, NULL);
+    for (int i = 0; i < views; i++) {
+        if (cupola_gl_view_begin(frames->gl, i, &view, NULL) < 0)
+            return false;
+        scene->draw(scene, &(struct scene_camera){&view.camera, frames->setting->host, false});
+        if (cupola_gl_view_end(frames->gl, NULL) < 0)
+            return false;
+    }
+    return views > 0;
+}
+
+static bool frames_warp(void *self)
+{
+    struct cupola_frames *frames = self;
+    struct cupola_target target = {.framebuffer = frames->setting->target.framebuffer};
+
+    return cupola_gl_warp(frames->gl, 0, NULL, &target, NULL) >= 0;
+}
+
+static bool control_warp(void *self)
+{
+    struct cupola_frames *frames = self;
+    int size_px = frames->setting->size_px;
+
+    glBindFramebuffer(GL_FRAMEBUFFER, frames->setting->target.framebuffer);
+    glViewport(0, 0, size_px, size_px);
+    glDisable(GL_DEPTH_TEST);
+    glUseProgram(frames->program);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, cupola_gl_atlas(frames->gl));
+    glBindVertexArray(frames->vertex_array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return true;
+}
+
+static void frames_facts(const void *self, struct contender_facts *facts)
+{
+    const struct cupola_frames *frames = self;
+    const struct cupola_plan_report *report = cupola_plan_report(frames->plan);
+
+    *facts = (struct contender_facts){.shows = SHOWS_DOME,
+                                      .views = report->views,
+                                      .texels = report->texels_shaded_per_pixel * report->pixels};
+    facts->bytes = 8.0 * report->atlas_width_px * report->atlas_height_px;
+    snprintf(facts->note, sizeof facts->note, "%s", report->reason);
+}
+
+const struct contender_kind contender_cupola = {.prepare = views_prepare,
+                                                .views = frames_views,
+                                                .warp = frames_warp,
+                                                .facts = frames_facts,
+                                                .release = frames_release};
+const struct contender_kind contender_stage = {.prepare = stage_prepare,
+                                               .views = frames_views,
+                                               .warp = frames_warp,
+                                               .facts = frames_facts,
+                                               .release = frames_release};
+const struct contender_kind contender_control = {.prepare = control_prepare,
+                                                 .views = frames_views,
+                                                 .warp = control_warp,
+                                                 .facts = frames_facts,
+                                                 .release = frames_release};

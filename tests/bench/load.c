@@ -1,0 +1,116 @@
+/* Loads by name, and one that costs what is wished. */
+#include "load.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "comparison.h"
+
+enum { TRIAL_SIZE_PX = 512, TRIAL_FRAMES = 7 };
+
+/* What a pixel of the plain view costs; below 0 with one line in `message`. */
+static double cost_ns(const struct load *load, char *message)
+{
+    struct setting setting = {
+        .size_px = TRIAL_SIZE_PX, .fov_rad = 140 * 3.14159265358979323846 / 180, .load = *load};
+    const struct contender plain = {"perspective", &contender_plain_view, 0};
+    const struct comparison_wishes wishes = {.frames = TRIAL_FRAMES, .warm_up = 2};
+    struct result result;
+    struct scene *scene = setting_scene(load, message);
+    double cost = -1;
+
+    if (!scene)
+        return -1;
+    if (setting_create(&setting, scene, message)) {
+        if (compare_contenders(&setting, &plain, 1, &wishes, NULL, &result, message))
+            cost = 1e6 * result.time_ms.median / (TRIAL_SIZE_PX * TRIAL_SIZE_PX);
+        setting_destroy(&setting);
+    }
+    scene->destroy(scene);
+    return cost;
+}
+
+/*
+ * Bumps first, then smooth walls, then pictures that are filtered less: the first of these that is
+ * cheap enough with one lamp gets as many as it takes. Where none is, one lamp has to do.
+ */
+static bool find_lamps(double wished_ns, struct load *load, char *message)
+{
+    enum { KINDS = 3, MANY = 17 };
+    double one, many = 0;
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        load->wishes = (struct scene_wishes){
+            .shading = SCENE_HEAVY, .lamps = 1, .smooth = kind > 0, .anisotropy = kind > 1 ? 1 : 0};
+        one = cost_ns(load, message);
+        if (one < 0)
+            return false;
+        if (one <= wished_ns || kind + 1 == KINDS)
+            break;
+    }
+    load->wishes.lamps = MANY;
+    many = cost_ns(load, message);
+    if (many < 0)
+        return false;
+    double lamps = 1 + (wished_ns - one) / fmax((many - one) / (MANY - 1), 1e-3);
+    load->wishes.lamps = (int)lround(fmin(fmax(lamps, 1), SCENE_LAMPS_MAX));
+    return true;
+}
+
+/* The whole number after the colon, within bounds. */
+static bool number_after(const char *colon, int least, int most, int *number, char *message)
+{
+    char *end = NULL;
+    long value = strtol(colon + 1, &end, 10);
+
+    if (end == colon + 1 || *end || value < least || value > most) {
+        snprintf(message, MESSAGE_SIZE, "a load has '%s'; allowed: %d to %d", colon + 1, least,
+                 most);
+        return false;
+    }
+    *number = (int)value;
+    return true;
+}
+
+bool load_find(const char *name, struct load *load, char *message)
+{
+    const char *colon = strchr(name, ':');
+    size_t length = colon ? (size_t)(colon - name) : strlen(name);
+    char kind[16] = "";
+    int wished_ns;
+
+    memset(load, 0, sizeof *load);
+    snprintf(load->name, sizeof load->name, "%s", name);
+    snprintf(kind, sizeof kind, "%.*s", (int)length, name);
+    if (strcmp(kind, "light") == 0 && !colon)
+        return true;
+    if (strcmp(kind, "directions") == 0 && !colon) {
+        load->kind = SCENE_DIRECTIONS;
+        return true;
+    }
+    if (strcmp(kind, "lambert") == 0 && !colon) {
+        load->wishes.shading = SCENE_LAMBERT;
+        return true;
+    }
+    if (strcmp(kind, "heavy") == 0) {
+        load->wishes.shading = SCENE_HEAVY;
+        load->wishes.lamps = SCENE_LAMPS;
+        return !colon || number_after(colon, 1, SCENE_LAMPS_MAX, &load->wishes.lamps, message);
+    }
+    if (strcmp(kind, "forest") == 0) {
+        load->kind = SCENE_FOREST;
+        load->wishes.triangles = SCENE_TRIANGLES;
+        return !colon || number_after(colon, SCENE_TRIANGLES_MIN, SCENE_TRIANGLES_MAX,
+                                      &load->wishes.triangles, message);
+    }
+    if (strcmp(kind, "ns") == 0 && colon)
+        return number_after(colon, 1, 1000000, &wished_ns, message) &&
+               find_lamps(wished_ns, load, message);
+    snprintf(message, MESSAGE_SIZE,
+             "there is no load '%s'; there are light, lambert, directions, heavy[:LAMPS], "
+             "forest[:TRIANGLES] and ns:COST",
+             name);
+    return false;
+}

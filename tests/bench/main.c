@@ -1,0 +1,253 @@
+/* cupola-bench: what a dome costs, as ratios within one run. docs/benchmarks.md explains them. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <epoxy/gl.h>
+
+#include "headless.h"
+#include "json.h"
+#include "load.h"
+#include "options.h"
+
+/* A machine without any GL context: Meson counts it as skipped. */
+enum { EXIT_SKIPPED = 77 };
+
+struct bench {
+    struct options options;
+    FILE *file;
+    int comparisons;
+    struct load load; /* of the scene that is there */
+    struct scene *scene;
+    char message[MESSAGE_SIZE];
+};
+
+/* Whole frames: everything that makes a dome's picture, in plain views. */
+static const struct contender frame_contenders[] = {
+    {"perspective", &contender_plain_view, 0},
+    {"blit", &contender_blit, 0},
+    {"cupola", &contender_cupola, 0},
+    {"cupola-3-views", &contender_cupola, 3},
+    {"cupola-5-views", &contender_cupola, 5},
+    {"cupola-7-views", &contender_cupola, 7},
+    {"control", &contender_control, 0},
+    {"four-faces", &contender_cube, CUBE_4_TRIGONOMETRY},
+    {"six-faces", &contender_cube, CUBE_6_TRIGONOMETRY},
+    {"six-faces-mesh", &contender_cube, CUBE_6_MESH},
+    {"three-frusta", &contender_frusta, 0},
+};
+
+enum { FRAME_CONTENDERS = sizeof frame_contenders / sizeof *frame_contenders };
+
+static bool take_scene(struct bench *bench, const struct load *load)
+{
+    if (bench->scene && memcmp(&bench->load, load, sizeof *load) == 0)
+        return true;
+    if (bench->scene)
+        bench->scene->destroy(bench->scene);
+    bench->load = *load;
+    bench->scene = setting_scene(load, bench->message);
+    return bench->scene;
+}
+
+/* Draws, measures and writes one comparison. */
+static bool compare(struct bench *bench, struct setting *setting,
+                    const struct json_heading *heading, const struct contender *contenders,
+                    int count)
+{
+    struct comparison_wishes wishes = bench->options.wishes;
+    struct reference reference = {0}, *wished = bench->options.no_quality ? NULL : &reference;
+    struct result results[CONTENDERS_MAX];
+    bool done;
+
+    wishes.warp_alone = strcmp(heading->family, family_names[FAMILY_WARP]) == 0;
+    if (!take_scene(bench, &setting->load) ||
+        !setting_create(setting, bench->scene, bench->message))
+        return false;
+    fprintf(stderr, "%s: %d px, %s %.0f degrees%s, %s\n", heading->family, setting->size_px,
+            cupola_lens_model_name(setting->lens), setting->fov_rad * 180 / 3.14159265358979323846,
+            setting->off_axis ? ", off axis" : "", setting->load.name);
+    done = (!wished || reference_create(&reference, setting, bench->message)) &&
+           compare_contenders(setting, contenders, count, &wishes, wished, results, bench->message);
+    if (done)
+        json_comparison(bench->file, bench->comparisons++ == 0, heading, setting, wished,
+                        contenders, count, results);
+    reference_destroy(&reference);
+    setting_destroy(setting);
+    return done;
+}
+
+static struct setting first_setting(const struct options *options)
+{
+    return (struct setting){.size_px = options->sizes_px[0],
+                            .lens = options->lenses[0],
+                            .fov_rad = options->fovs_deg[0] * 3.14159265358979323846 / 180,
+                            .gl = {.table = (enum cupola_table)options->table}};
+}
+
+typedef bool family_one(struct bench *bench, struct setting *setting);
+
+/* Calls for every combination of sizes, fields of view and lenses. */
+static bool each_setting(struct bench *bench, family_one *one)
+{
+    const struct options *options = &bench->options;
+
+    for (int size = 0; size < options->size_count; size++)
+        for (int lens = 0; lens < options->lens_count; lens++)
+            for (int fov = 0; fov < options->fov_count; fov++) {
+                struct setting setting = first_setting(options);
+                setting.size_px = options->sizes_px[size];
+                setting.lens = options->lenses[lens];
+                setting.fov_rad = options->fovs_deg[fov] * 3.14159265358979323846 / 180;
+                if (setting.lens == CUPOLA_LENS_HEMISPHERIC && options->fovs_deg[fov] > 180)
+                    continue;
+                if (!one(bench, &setting))
+                    return false;
+            }
+    return true;
+}
+
+/* Every stage that the library has, and the passes of the others, in blits. */
+static bool warp_one(struct bench *bench, struct setting *setting)
+{
+    struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, 0}};
+    int count = 1;
+
+    for (int i = 0; i < 20 && cupola_table_name(i); i++) {
+        struct contender *stage = &contenders[count++];
+        *stage = (struct contender){.kind = &contender_stage, .variant = i};
+        snprintf(stage->name, sizeof stage->name, "%.31s", cupola_table_name(i));
+    }
+    contenders[count++] = (struct contender){"four-faces", &contender_cube, CUBE_4_TRIGONOMETRY};
+    contenders[count++] = (struct contender){"six-faces-mesh", &contender_cube, CUBE_6_MESH};
+    contenders[count++] = (struct contender){"three-frusta", &contender_frusta, 0};
+    for (int off_axis = 0; off_axis < 2; off_axis++) {
+        setting->off_axis = off_axis;
+        if (!load_find(bench->options.loads[0], &setting->load, bench->message) ||
+            !compare(bench, setting, &(struct json_heading){.family = family_names[FAMILY_WARP]},
+                     contenders, count))
+            return false;
+    }
+    return true;
+}
+
+static bool frame_one(struct bench *bench, struct setting *setting)
+{
+    for (int i = 0; i < bench->options.load_count; i++) {
+        struct setting loaded = *setting;
+        if (!load_find(bench->options.loads[i], &loaded.load, bench->message) ||
+            !compare(bench, &loaded, &(struct json_heading){.family = family_names[FAMILY_FRAME]},
+                     frame_contenders, FRAME_CONTENDERS))
+            return false;
+    }
+    return true;
+}
+
+/* Frames against one thing that varies: the load by its number, or the size. */
+static bool sweep(struct bench *bench, enum family family, const char *load, const int *values)
+{
+    for (; *values; values++) {
+        struct setting setting = first_setting(&bench->options);
+        struct json_heading heading = {family_names[family], family_names[family], *values};
+        char name[32];
+
+        snprintf(name, sizeof name, load, *values);
+        if (family == FAMILY_SIZE)
+            setting.size_px = *values;
+        if (!load_find(name, &setting.load, bench->message) ||
+            !compare(bench, &setting, &heading, frame_contenders, FRAME_CONTENDERS))
+            return false;
+    }
+    return true;
+}
+
+/* As many views as the library allows, side by side. */
+static bool views(struct bench *bench)
+{
+    struct contender contenders[CUPOLA_VIEWS_MAX + 1] = {frame_contenders[0]};
+
+    for (int i = 1; i <= CUPOLA_VIEWS_MAX; i++) {
+        contenders[i] = (struct contender){.kind = &contender_cupola, .variant = i};
+        snprintf(contenders[i].name, sizeof contenders[i].name, "cupola-%d-views", i);
+    }
+    for (int i = 0; i < bench->options.load_count; i++) {
+        struct setting setting = first_setting(&bench->options);
+        if (!load_find(bench->options.loads[i], &setting.load, bench->message) ||
+            !compare(bench, &setting,
+                     &(struct json_heading){family_names[FAMILY_VIEWS], "views", 0}, contenders,
+                     CUPOLA_VIEWS_MAX + 1))
+            return false;
+    }
+    return true;
+}
+
+static bool run_family(struct bench *bench, enum family family)
+{
+    static const int lamps[] = {1, 2, 4, 8, 16, 32, 64, 0};
+    static const int triangles[] = {1000, 10000, 100000, 1000000, 0};
+    static const int sizes_px[] = {512, 1024, 2048, 4096, 0};
+
+    switch (family) {
+    case FAMILY_WARP:
+        return each_setting(bench, warp_one);
+    case FAMILY_FRAME:
+        return each_setting(bench, frame_one);
+    case FAMILY_LAMPS:
+        return sweep(bench, family, "heavy:%d", lamps);
+    case FAMILY_TRIANGLES:
+        return sweep(bench, family, "forest:%d", triangles);
+    case FAMILY_VIEWS:
+        return views(bench);
+    case FAMILY_SIZE:
+        return sweep(bench, family, "heavy", sizes_px);
+    case FAMILIES:
+        break;
+    }
+    return true;
+}
+
+static bool run(struct bench *bench)
+{
+    struct stopwatch watch;
+    bool done = true;
+
+    stopwatch_create(&watch);
+    json_begin(bench->file, &bench->options.wishes, watch.timer_queries);
+    stopwatch_destroy(&watch);
+    for (int i = 0; i < FAMILIES && done; i++)
+        if (bench->options.families[i])
+            done = run_family(bench, (enum family)i);
+    json_end(bench->file);
+    if (bench->scene)
+        bench->scene->destroy(bench->scene);
+    if (!done)
+        fprintf(stderr, "cupola-bench: %s\n", bench->message);
+    return done;
+}
+
+int main(int argc, char **argv)
+{
+    struct bench bench = {.file = stdout};
+    struct headless *headless;
+    int status;
+
+    if (!options_read(&bench.options, argc, argv, &status))
+        return status;
+    headless = headless_create(bench.message, sizeof bench.message);
+    if (!headless) {
+        fprintf(stderr, "cupola-bench: %s\n", bench.message);
+        return EXIT_SKIPPED;
+    }
+    if (bench.options.output && !(bench.file = fopen(bench.options.output, "w"))) {
+        fprintf(stderr, "cupola-bench: '%s' cannot be written\n", bench.options.output);
+        headless_destroy(headless);
+        return EXIT_FAILURE;
+    }
+    status = run(&bench) ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (fflush(bench.file) != 0 || ferror(bench.file))
+        status = EXIT_FAILURE;
+    if (bench.options.output)
+        fclose(bench.file);
+    headless_destroy(headless);
+    return status;
+}

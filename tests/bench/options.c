@@ -1,0 +1,187 @@
+/* The bench's command line. */
+#include "options.h"
+
+#include <getopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const family_names[FAMILIES] = {
+    [FAMILY_WARP] = "warp",           [FAMILY_FRAME] = "frame", [FAMILY_LAMPS] = "lamps",
+    [FAMILY_TRIANGLES] = "triangles", [FAMILY_VIEWS] = "views", [FAMILY_SIZE] = "size"};
+
+static const char help[] =
+    "Usage: cupola-bench [OPTION...]\n"
+    "Measures what a dome costs, as ratios within one run, and writes JSON.\n"
+    "\n"
+    "  --family NAME,...   warp, frame, lamps, triangles, views, size (all)\n"
+    "  --size N,...        sides of the output, px (1024)\n"
+    "  --fov DEG,...       of the lens (140)\n"
+    "  --lens NAME,...     angular, hemispheric (angular)\n"
+    "  --load NAME,...     light, lambert, heavy[:LAMPS], forest[:TRIANGLES], directions, or\n"
+    "                      ns:COST: the lamps that make a pixel cost so many ns (light,heavy)\n"
+    "  --table NAME        the warp's table in whole frames (Cupola's default)\n"
+    "  --frames N          rounds that count (200)\n"
+    "  --warm-up N         frames before them (5)\n"
+    "  --no-quality        compares no pictures\n"
+    "  --output FILE       JSON (stdout)\n"
+    "  --help              this\n";
+
+enum wish {
+    OPTION_FAMILY,
+    OPTION_SIZE,
+    OPTION_FOV,
+    OPTION_LENS,
+    OPTION_LOAD,
+    OPTION_TABLE,
+    OPTION_FRAMES,
+    OPTION_WARM_UP,
+    OPTION_NO_QUALITY,
+    OPTION_OUTPUT,
+    OPTION_HELP
+};
+
+static const struct option long_options[] = {{"family", required_argument, NULL, OPTION_FAMILY},
+                                             {"size", required_argument, NULL, OPTION_SIZE},
+                                             {"fov", required_argument, NULL, OPTION_FOV},
+                                             {"lens", required_argument, NULL, OPTION_LENS},
+                                             {"load", required_argument, NULL, OPTION_LOAD},
+                                             {"table", required_argument, NULL, OPTION_TABLE},
+                                             {"frames", required_argument, NULL, OPTION_FRAMES},
+                                             {"warm-up", required_argument, NULL, OPTION_WARM_UP},
+                                             {"no-quality", no_argument, NULL, OPTION_NO_QUALITY},
+                                             {"output", required_argument, NULL, OPTION_OUTPUT},
+                                             {"help", no_argument, NULL, OPTION_HELP},
+                                             {0}};
+
+static bool read_number(const char *text, double least, double most, double *number)
+{
+    char *end = NULL;
+    double value = strtod(text, &end);
+
+    if (end == text || *end || !(value >= least && value <= most))
+        return false;
+    *number = value;
+    return true;
+}
+
+static bool read_whole(const char *text, int least, int most, int *number)
+{
+    double value;
+
+    if (!read_number(text, least, most, &value) || value != (int)value)
+        return false;
+    *number = (int)value;
+    return true;
+}
+
+static bool add_family(struct options *options, const char *word)
+{
+    for (int i = 0; i < FAMILIES; i++)
+        if (strcmp(word, family_names[i]) == 0) {
+            options->families[i] = true;
+            return true;
+        }
+    return false;
+}
+
+/* One word of a list. */
+static bool add(struct options *options, int option, char *word)
+{
+    int model;
+
+    switch (option) {
+    case OPTION_FAMILY:
+        return add_family(options, word);
+    case OPTION_SIZE:
+        return options->size_count < LIST_MAX &&
+               read_whole(word, 16, 16384, &options->sizes_px[options->size_count++]);
+    case OPTION_FOV:
+        return options->fov_count < LIST_MAX &&
+               read_number(word, 1, 300, &options->fovs_deg[options->fov_count++]);
+    case OPTION_LENS:
+        model = cupola_lens_model_find(word);
+        if (options->lens_count >= LIST_MAX ||
+            (model != CUPOLA_LENS_ANGULAR && model != CUPOLA_LENS_HEMISPHERIC))
+            return false;
+        options->lenses[options->lens_count++] = (enum cupola_lens_model)model;
+        return true;
+    case OPTION_LOAD:
+        if (options->load_count >= LIST_MAX)
+            return false;
+        options->loads[options->load_count++] = word;
+        return true;
+    }
+    return false;
+}
+
+static bool take(struct options *options, int option, char *value)
+{
+    switch (option) {
+    case OPTION_TABLE:
+        options->table = cupola_table_find(value);
+        return options->table >= 0;
+    case OPTION_FRAMES:
+        return read_whole(value, 1, 100000, &options->wishes.frames);
+    case OPTION_WARM_UP:
+        return read_whole(value, 0, 100000, &options->wishes.warm_up);
+    case OPTION_NO_QUALITY:
+        options->no_quality = true;
+        return true;
+    case OPTION_OUTPUT:
+        options->output = value;
+        return true;
+    }
+    for (char *word = strtok(value, ","); word; word = strtok(NULL, ","))
+        if (!add(options, option, word))
+            return false;
+    return true;
+}
+
+static void set_defaults(struct options *options)
+{
+    bool any = false;
+
+    for (int i = 0; i < FAMILIES; i++)
+        any |= options->families[i];
+    for (int i = 0; i < FAMILIES; i++)
+        options->families[i] |= !any;
+    if (options->size_count == 0)
+        options->sizes_px[options->size_count++] = 1024;
+    if (options->fov_count == 0)
+        options->fovs_deg[options->fov_count++] = 140;
+    if (options->lens_count == 0)
+        options->lenses[options->lens_count++] = CUPOLA_LENS_ANGULAR;
+    if (options->load_count == 0) {
+        options->loads[options->load_count++] = "light";
+        options->loads[options->load_count++] = "heavy";
+    }
+}
+
+bool options_read(struct options *options, int argc, char **argv, int *status)
+{
+    int option, index = 0;
+
+    *options = (struct options){.wishes = {.frames = 200, .warm_up = 5}};
+    *status = 2;
+    while ((option = getopt_long(argc, argv, "", long_options, &index)) != -1) {
+        if (option == OPTION_HELP) {
+            fputs(help, stdout);
+            *status = 0;
+            return false;
+        }
+        if (option == '?')
+            return false;
+        if (!take(options, option, optarg)) {
+            fprintf(stderr, "cupola-bench: --%s does not allow this value; see --help\n",
+                    long_options[index].name);
+            return false;
+        }
+    }
+    if (optind < argc) {
+        fprintf(stderr, "cupola-bench: '%s' is no option; see --help\n", argv[optind]);
+        return false;
+    }
+    set_defaults(options);
+    return true;
+}

@@ -1,0 +1,161 @@
+"""Tables and plots of the bench's figures: report.py COST.json FOLDER
+
+Writes FOLDER/cost.md and, where gnuplot is installed, FOLDER/cost-*.svg for what varies.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+# What is drawn of each family that varies one thing: its axis, and whether that is logarithmic.
+AXES = {
+    "lamps": ("lamps", True),
+    "triangles": ("triangles", True),
+    "size": ("side of the output, px", True),
+    "views": ("views", False),
+}
+DRAWN = ["cupola", "cupola-3-views", "cupola-5-views", "control", "four-faces", "six-faces",
+         "six-faces-mesh", "three-frusta"]
+TITLES = {
+    "warp": "The warp alone, in blits",
+    "frame": "Whole frames, in perspective views",
+    "lamps": "Against lamps",
+    "triangles": "Against triangles",
+    "views": "Against the number of views",
+    "size": "Against the output's size",
+}
+
+
+def number(value, digits=2):
+    return "–" if value is None else f"{value:.{digits}f}"
+
+
+def spread(quartiles):
+    return f"{quartiles[0]:.2f} to {quartiles[2]:.2f}"
+
+
+def by_name(comparison):
+    return {one["name"]: one for one in comparison["contenders"] if one["took_part"]}
+
+
+def heading(comparison):
+    parts = [f"{comparison['size_px']} px", f"{comparison['lens']} {comparison['fov_deg']:.0f}°"]
+    if comparison["off_axis"]:
+        parts.append("off axis")
+    if comparison["family"] != "warp":
+        parts.append(f"load {comparison['load']}")
+    return ", ".join(parts)
+
+
+def in_short(comparison):
+    """What the plain view costs, and the dome's frame as plain views and blits."""
+    found = by_name(comparison)
+    if "perspective" not in found:
+        return f"A blit: {found['blit']['time_ms'][1]:.2f} ms."
+    plain = found["perspective"]
+    text = (f"The perspective view of {comparison['plain_fov_deg']:.0f}°: "
+            f"{plain['time_ms'][1]:.2f} ms, {plain['ns_per_pixel']:.1f} ns per pixel.")
+    if "cupola" in found and "blit" in found:
+        rest = found["cupola"]["time_ms"][1] - 1.08 * plain["time_ms"][1]
+        blits = rest / found["blit"]["time_ms"][1]
+        text += f" Cupola's frame: 1.08 perspective views {'+-'[blits < 0]} {abs(blits):.1f} blits."
+    return text
+
+
+def row(comparison, contender):
+    if not contender["took_part"]:
+        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 7
+    plain = comparison["contenders"][0]
+    per_pixel = contender["ns_per_pixel"] / plain["ns_per_pixel"]
+    cells = [
+        contender["name"],
+        number(contender["time_ms"][1]),
+        number(contender["ratio"]),
+        spread(contender["round_ratio"]),
+        number(per_pixel if comparison["family"] != "warp" else None),
+        str(int(contender["views"])) if contender["views"] else "–",
+        number(contender["texels_per_pixel"] or None),
+        number(contender["bytes_per_output_byte"] or None),
+        number(contender["psnr_db"], 1),
+    ]
+    return "| " + " | ".join(cells) + " |"
+
+
+def table(comparison):
+    unit = comparison["contenders"][0]["name"]
+    lines = [
+        f"### {heading(comparison)}", "", in_short(comparison), "",
+        f"| contender | ms | / {unit} | quartiles by round | the same per pixel | views | "
+        "texels per pixel | memory / output | PSNR, dB |",
+        "|---|---|---|---|---|---|---|---|---|",
+    ]
+    lines += [row(comparison, contender) for contender in comparison["contenders"]]
+    return lines + [""]
+
+
+def points(family, comparisons):
+    """Name of a line -> its (x, y)."""
+    lines = {}
+    for comparison in comparisons:
+        for name, contender in by_name(comparison).items():
+            if family == "views" and name != "perspective":
+                line, x = comparison["load"], contender["views"]
+            elif name in DRAWN:
+                line, x = name, comparison["value"]
+            else:
+                continue
+            lines.setdefault(line, []).append((x, contender["ratio"]))
+    return lines
+
+
+def plot(family, comparisons, path):
+    axis, logarithmic = AXES[family]
+    lines = points(family, comparisons)
+    script = ["set terminal svg size 640,400 font 'sans,12' background 'white'",
+              f"set output '{path}'", "set key outside right", "set grid", "set yrange [0:*]",
+              f"set xlabel '{axis}'", "set ylabel 'frame / perspective view'"]
+    if logarithmic:
+        script.append("set logscale x")
+    script.append("plot " + ", ".join(f"'-' with linespoints title '{name}'" for name in lines))
+    for line in lines.values():
+        script += [f"{x} {y}" for x, y in sorted(line)] + ["e"]
+    subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
+
+
+def machine_lines(report):
+    machine = report["machine"]
+    return [
+        "# What a dome costs", "",
+        "Made by `script/bench cost`; [benchmarks.md](../../benchmarks.md) says what each figure is.",
+        "",
+        f"- renderer: {machine['renderer']}, {machine['gl_version']}",
+        f"- processor: {machine['processor']}, {machine['processors']:.0f} of them",
+        f"- clock: {machine['clock']}; threads of llvmpipe: {machine['llvmpipe_threads']}",
+        f"- medians of {report['frames']} frames after {report['warm_up']} of warm-up; load average "
+        f"{machine['load_average']:.2f} at the beginning, "
+        f"{report['comparisons'][-1]['load_average']:.2f} at the end", "",
+    ]
+
+
+def main(path, folder):
+    with open(path, encoding="utf-8") as source:
+        report = json.load(source)
+    os.makedirs(folder, exist_ok=True)
+    lines = machine_lines(report)
+    for family, title in TITLES.items():
+        comparisons = [one for one in report["comparisons"] if one["family"] == family]
+        if not comparisons:
+            continue
+        lines += [f"## {title}", ""]
+        if family in AXES and shutil.which("gnuplot"):
+            plot(family, comparisons, os.path.join(folder, f"cost-{family}.svg"))
+            lines += [f"![{title}](cost-{family}.svg)", ""]
+        for comparison in comparisons:
+            lines += table(comparison)
+    with open(os.path.join(folder, "cost.md"), "w", encoding="utf-8") as out:
+        out.write("\n".join(lines).rstrip() + "\n")
+
+
+main(*sys.argv[1:])

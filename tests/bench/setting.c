@@ -1,0 +1,99 @@
+/* A dome, a scene and a framebuffer for one comparison. */
+#include "setting.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include <epoxy/gl.h>
+
+static const double plain_fov_most_rad = 140 * 3.14159265358979323846 / 180;
+
+static double count_lit_pixels(const struct setting *setting)
+{
+    struct cupola_ray ray;
+    double sum = 0;
+
+    for (int j = 0; j < setting->size_px; j++)
+        for (int i = 0; i < setting->size_px; i++)
+            if (cupola_dome_ray(setting->dome, 0, NULL, i + 0.5, j + 0.5, &ray) == 1)
+                sum += ray.coverage;
+    return sum;
+}
+
+static void place_camera(struct setting *setting, const struct scene *scene)
+{
+    double away = 0;
+
+    for (int i = 0; i < 16; i++)
+        setting->host[i] = i % 5 == 0;
+    for (int i = 0; i < 3; i++) {
+        setting->host[12 + i] = (float)-scene->suggested[i];
+        away += pow(scene->suggested[i] - scene->center[i], 2);
+    }
+    setting->depth.near_distance = 0.1;
+    setting->depth.far_distance = 2 + 1.01 * (sqrt(away) + scene->radius);
+}
+
+bool setting_create(struct setting *setting, struct scene *scene, char *message)
+{
+    struct cupola_error error = {0};
+    struct cupola_rig rig = {0};
+    struct cupola_output *output = &rig.outputs[0];
+
+    output->width_px = output->height_px = setting->size_px;
+    output->lens.model = setting->lens;
+    output->lens.fov_rad = setting->fov_rad;
+    if (setting->off_axis) {
+        rig.eye_m[1] = 0.1;
+        rig.eye_m[2] = 0.2;
+        output->position_m[1] = -0.2;
+    }
+    if (cupola_dome_create(&rig, &setting->dome, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+        return false;
+    }
+    if (!target_create(&setting->target, setting->size_px, setting->size_px, TARGET_BYTES, message,
+                       MESSAGE_SIZE)) {
+        cupola_dome_destroy(&setting->dome);
+        return false;
+    }
+    cupola_dome_to_camera(setting->dome, rig.eye_m, setting->eye);
+    setting->scene = scene;
+    setting->lit_pixels = count_lit_pixels(setting);
+    place_camera(setting, scene);
+    return true;
+}
+
+void setting_destroy(struct setting *setting)
+{
+    cupola_dome_destroy(&setting->dome);
+    target_destroy(&setting->target);
+}
+
+struct scene *setting_scene(const struct load *load, char *message)
+{
+    if (load->kind == SCENE_FOREST)
+        return scene_forest_create(&load->wishes, message, MESSAGE_SIZE);
+    if (load->kind == SCENE_DIRECTIONS)
+        return scene_directions_create(message, MESSAGE_SIZE);
+    return scene_cube_create(&load->wishes, message, MESSAGE_SIZE);
+}
+
+double setting_plain_fov_rad(const struct setting *setting)
+{
+    return fmin(setting->fov_rad, plain_fov_most_rad);
+}
+
+void setting_draw(const struct setting *setting, const struct cupola_camera *camera, int width,
+                  int height)
+{
+    struct scene *scene = setting->scene;
+
+    glViewport(0, 0, width, height);
+    glDepthMask(GL_TRUE);
+    glClearDepth(1);
+    glClearColor(scene->clear_color[0], scene->clear_color[1], scene->clear_color[2],
+                 scene->clear_color[3]);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    scene->draw(scene, &(struct scene_camera){camera, setting->host, false});
+}

@@ -1,0 +1,10 @@
+#version 330 core
+// One triangle over the whole target.
+
+out vec2 at; // 0 to 1
+
+void main()
+{
+    at = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+    gl_Position = vec4(2.0 * at - 1.0, 0.0, 1.0);
+}
