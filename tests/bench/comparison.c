@@ -128,7 +128,7 @@ bool compare_contenders(const struct setting *setting, const struct contender *c
     struct field field = {
         .setting = setting, .contenders = contenders, .count = count, .wishes = wishes};
 
-    stopwatch_create(&field.watch);
+    stopwatch_create(&field.watch, wishes->clock);
     bool done = field_create(&field, results, message) &&
                 warm_up(&field, reference, results, message) && draw_rounds(&field, message) &&
                 sum_up(&field, results, message);

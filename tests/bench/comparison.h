@@ -5,6 +5,8 @@
 #ifndef COMPARISON_H
 #define COMPARISON_H
 
+#include <stdbool.h>
+
 #include "contender.h"
 #include "reference.h"
 #include "stopwatch.h"
@@ -14,6 +16,7 @@ enum { CONTENDERS_MAX = 32 };
 struct comparison_wishes {
     int frames; /* rounds that count */
     int warm_up;
+    enum clock clock;
     bool warp_alone; /* views are drawn once; only the warp is timed */
 };
 

@@ -67,7 +67,7 @@ static double load_average(void)
     return load;
 }
 
-void json_begin(FILE *file, const struct comparison_wishes *wishes, bool timer_queries)
+void json_begin(FILE *file, const struct comparison_wishes *wishes, enum clock clock)
 {
     struct utsname system;
     const char *threads = getenv("LP_NUM_THREADS");
@@ -80,7 +80,7 @@ void json_begin(FILE *file, const struct comparison_wishes *wishes, bool timer_q
     }
     put_text(file, "gl_version", (const char *)glGetString(GL_VERSION));
     put_text(file, "llvmpipe_threads", threads ? threads : "one for each processor");
-    put_text(file, "clock", timer_queries ? "timer queries" : "wall clock");
+    put_text(file, "clock", clock_names[clock]);
     put_text(file, "renderer", (const char *)glGetString(GL_RENDERER));
     fprintf(file, "\"load_average\": %.2f},\n\"frames\": %d, \"warm_up\": %d,\n\"comparisons\": [",
             load_average(), wishes->frames, wishes->warm_up);

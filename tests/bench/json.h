@@ -7,7 +7,7 @@
 #include "comparison.h"
 
 /* Begins the object. */
-void json_begin(FILE *file, const struct comparison_wishes *wishes, bool timer_queries);
+void json_begin(FILE *file, const struct comparison_wishes *wishes, enum clock clock);
 
 /* One comparison: its family's name, and what it varies with its value (NULL: nothing). */
 struct json_heading {

@@ -6,17 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "comparison.h"
-
 enum { TRIAL_SIZE_PX = 512, TRIAL_FRAMES = 7 };
 
 /* What a pixel of the plain view costs; below 0 with one line in `message`. */
-static double cost_ns(const struct load *load, char *message)
+static double cost_ns(const struct load *load, enum clock clock, char *message)
 {
     struct setting setting = {
         .size_px = TRIAL_SIZE_PX, .fov_rad = 140 * 3.14159265358979323846 / 180, .load = *load};
     const struct contender plain = {"perspective", &contender_plain_view, 0};
-    const struct comparison_wishes wishes = {.frames = TRIAL_FRAMES, .warm_up = 2};
+    const struct comparison_wishes wishes = {.frames = TRIAL_FRAMES, .warm_up = 2, .clock = clock};
     struct result result;
     struct scene *scene = setting_scene(load, message);
     double cost = -1;
@@ -33,28 +31,37 @@ static double cost_ns(const struct load *load, char *message)
 }
 
 /*
- * Bumps first, then smooth walls, then pictures that are filtered less: the first of these that is
- * cheap enough with one lamp gets as many as it takes. Where none is, one lamp has to do.
+ * From the dearest kind of pixel to the cheapest: the first that is cheap enough with one lamp gets
+ * as many as it takes. Where none is, the cheapest has to do.
  */
-static bool find_lamps(double wished_ns, struct load *load, char *message)
+static const struct scene_wishes kinds[] = {
+    {.shading = SCENE_HEAVY, .lamps = 1},
+    {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true},
+    {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true, .anisotropy = 1},
+    {.shading = SCENE_LAMBERT, .anisotropy = 1},
+    {.shading = SCENE_FLAT, .anisotropy = 1},
+};
+
+static bool find_lamps(double wished_ns, enum clock clock, struct load *load, char *message)
 {
-    enum { KINDS = 3, MANY = 17 };
-    double one, many = 0;
+    enum { KINDS = sizeof kinds / sizeof *kinds, MANY = 17 };
+    double one = 0, many, lamps;
 
     for (int kind = 0; kind < KINDS; kind++) {
-        load->wishes = (struct scene_wishes){
-            .shading = SCENE_HEAVY, .lamps = 1, .smooth = kind > 0, .anisotropy = kind > 1 ? 1 : 0};
-        one = cost_ns(load, message);
+        load->wishes = kinds[kind];
+        one = cost_ns(load, clock, message);
         if (one < 0)
             return false;
-        if (one <= wished_ns || kind + 1 == KINDS)
+        if (one <= wished_ns)
             break;
     }
+    if (load->wishes.shading != SCENE_HEAVY)
+        return true;
     load->wishes.lamps = MANY;
-    many = cost_ns(load, message);
+    many = cost_ns(load, clock, message);
     if (many < 0)
         return false;
-    double lamps = 1 + (wished_ns - one) / fmax((many - one) / (MANY - 1), 1e-3);
+    lamps = 1 + (wished_ns - one) / fmax((many - one) / (MANY - 1), 1e-3);
     load->wishes.lamps = (int)lround(fmin(fmax(lamps, 1), SCENE_LAMPS_MAX));
     return true;
 }
@@ -74,7 +81,8 @@ static bool number_after(const char *colon, int least, int most, int *number, ch
     return true;
 }
 
-bool load_find(const char *name, struct load *load, char *message)
+bool load_find(const char *name, const struct comparison_wishes *wishes, struct load *load,
+               char *message)
 {
     const char *colon = strchr(name, ':');
     size_t length = colon ? (size_t)(colon - name) : strlen(name);
@@ -84,8 +92,10 @@ bool load_find(const char *name, struct load *load, char *message)
     memset(load, 0, sizeof *load);
     snprintf(load->name, sizeof load->name, "%s", name);
     snprintf(kind, sizeof kind, "%.*s", (int)length, name);
-    if (strcmp(kind, "light") == 0 && !colon)
+    if (strcmp(kind, "light") == 0 && !colon) {
+        load->wishes.anisotropy = 1;
         return true;
+    }
     if (strcmp(kind, "directions") == 0 && !colon) {
         load->kind = SCENE_DIRECTIONS;
         return true;
@@ -107,7 +117,7 @@ bool load_find(const char *name, struct load *load, char *message)
     }
     if (strcmp(kind, "ns") == 0 && colon)
         return number_after(colon, 1, 1000000, &wished_ns, message) &&
-               find_lamps(wished_ns, load, message);
+               find_lamps(wished_ns, wishes->clock, load, message);
     snprintf(message, MESSAGE_SIZE,
              "there is no load '%s'; there are light, lambert, directions, heavy[:LAMPS], "
              "forest[:TRIANGLES] and ns:COST",

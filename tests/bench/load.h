@@ -2,13 +2,15 @@
 #ifndef LOAD_H
 #define LOAD_H
 
-#include "setting.h"
+#include "comparison.h"
 
 /*
- * light, lambert, heavy, heavy:LAMPS, forest:TRIANGLES, directions (colours that change slowly, to
- * judge pictures), or ns:COST: the lamps with which a pixel of the plain view costs so many
- * nanoseconds here, which is measured. False with one line in `message`.
+ * light (flat, trilinear), lambert, heavy, heavy:LAMPS, forest:TRIANGLES, directions (colours that
+ * change slowly, to judge pictures), or ns:COST: the lamps with which a pixel of the plain view
+ * costs so many nanoseconds here, which is measured by the clock of `wishes`. False with one line in
+ * `message`.
  */
-bool load_find(const char *name, struct load *load, char *message);
+bool load_find(const char *name, const struct comparison_wishes *wishes, struct load *load,
+               char *message);
 
 #endif

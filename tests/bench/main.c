@@ -123,7 +123,8 @@ static bool warp_one(struct bench *bench, struct setting *setting)
     contenders[count++] = (struct contender){"three-frusta", &contender_frusta, 0};
     for (int off_axis = 0; off_axis < 2; off_axis++) {
         setting->off_axis = off_axis;
-        if (!load_find(bench->options.loads[0], &setting->load, bench->message) ||
+        if (!load_find(bench->options.loads[0], &bench->options.wishes, &setting->load,
+                       bench->message) ||
             !compare(bench, setting, &(struct json_heading){.family = family_names[FAMILY_WARP]},
                      contenders, count))
             return false;
@@ -135,7 +136,8 @@ static bool frame_one(struct bench *bench, struct setting *setting)
 {
     for (int i = 0; i < bench->options.load_count; i++) {
         struct setting loaded = *setting;
-        if (!load_find(bench->options.loads[i], &loaded.load, bench->message) ||
+        if (!load_find(bench->options.loads[i], &bench->options.wishes, &loaded.load,
+                       bench->message) ||
             !compare(bench, &loaded, &(struct json_heading){.family = family_names[FAMILY_FRAME]},
                      frame_contenders, FRAME_CONTENDERS))
             return false;
@@ -154,7 +156,7 @@ static bool sweep(struct bench *bench, enum family family, const char *load, con
         snprintf(name, sizeof name, load, *values);
         if (family == FAMILY_SIZE)
             setting.size_px = *values;
-        if (!load_find(name, &setting.load, bench->message) ||
+        if (!load_find(name, &bench->options.wishes, &setting.load, bench->message) ||
             !compare(bench, &setting, &heading, frame_contenders, FRAME_CONTENDERS))
             return false;
     }
@@ -172,7 +174,8 @@ static bool views(struct bench *bench)
     }
     for (int i = 0; i < bench->options.load_count; i++) {
         struct setting setting = first_setting(&bench->options);
-        if (!load_find(bench->options.loads[i], &setting.load, bench->message) ||
+        if (!load_find(bench->options.loads[i], &bench->options.wishes, &setting.load,
+                       bench->message) ||
             !compare(bench, &setting,
                      &(struct json_heading){family_names[FAMILY_VIEWS], "views", 0}, contenders,
                      CUPOLA_VIEWS_MAX + 1))
@@ -211,8 +214,8 @@ static bool run(struct bench *bench)
     struct stopwatch watch;
     bool done = true;
 
-    stopwatch_create(&watch);
-    json_begin(bench->file, &bench->options.wishes, watch.timer_queries);
+    stopwatch_create(&watch, bench->options.wishes.clock);
+    json_begin(bench->file, &bench->options.wishes, watch.clock);
     stopwatch_destroy(&watch);
     for (int i = 0; i < FAMILIES && done; i++)
         if (bench->options.families[i])

@@ -23,6 +23,8 @@ static const char help[] =
     "  --table NAME        the warp's table in whole frames (Cupola's default)\n"
     "  --frames N          rounds that count (200)\n"
     "  --warm-up N         frames before them (5)\n"
+    "  --clock NAME        auto: gpu, and wall for software rasterisers; or processor, for busy\n"
+    "                      machines and LP_NUM_THREADS=0 (auto)\n"
     "  --no-quality        compares no pictures\n"
     "  --output FILE       JSON (stdout)\n"
     "  --help              this\n";
@@ -36,6 +38,7 @@ enum wish {
     OPTION_TABLE,
     OPTION_FRAMES,
     OPTION_WARM_UP,
+    OPTION_CLOCK,
     OPTION_NO_QUALITY,
     OPTION_OUTPUT,
     OPTION_HELP
@@ -49,6 +52,7 @@ static const struct option long_options[] = {{"family", required_argument, NULL,
                                              {"table", required_argument, NULL, OPTION_TABLE},
                                              {"frames", required_argument, NULL, OPTION_FRAMES},
                                              {"warm-up", required_argument, NULL, OPTION_WARM_UP},
+                                             {"clock", required_argument, NULL, OPTION_CLOCK},
                                              {"no-quality", no_argument, NULL, OPTION_NO_QUALITY},
                                              {"output", required_argument, NULL, OPTION_OUTPUT},
                                              {"help", no_argument, NULL, OPTION_HELP},
@@ -115,6 +119,16 @@ static bool add(struct options *options, int option, char *word)
     return false;
 }
 
+static bool take_clock(struct options *options, const char *word)
+{
+    for (int i = 0; i < CLOCKS; i++)
+        if (strcmp(word, clock_names[i]) == 0) {
+            options->wishes.clock = (enum clock)i;
+            return true;
+        }
+    return false;
+}
+
 static bool take(struct options *options, int option, char *value)
 {
     switch (option) {
@@ -125,6 +139,8 @@ static bool take(struct options *options, int option, char *value)
         return read_whole(value, 1, 100000, &options->wishes.frames);
     case OPTION_WARM_UP:
         return read_whole(value, 0, 100000, &options->wishes.warm_up);
+    case OPTION_CLOCK:
+        return take_clock(options, value);
     case OPTION_NO_QUALITY:
         options->no_quality = true;
         return true;

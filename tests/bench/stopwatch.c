@@ -1,17 +1,23 @@
-/* Times of phases by the wall clock, or by the GPU's own where there is one. */
+/* Times of phases by the clock that is wished. */
 #include "stopwatch.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 #include <epoxy/gl.h>
 
-static double now_ms(void)
+const char *const clock_names[CLOCKS] = {[CLOCK_AUTO] = "auto",
+                                         [CLOCK_WALL] = "wall",
+                                         [CLOCK_PROCESSOR] = "processor",
+                                         [CLOCK_GPU] = "gpu"};
+
+static double now_ms(enum clock clock)
 {
     struct timespec now;
 
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(clock == CLOCK_PROCESSOR ? CLOCK_PROCESS_CPUTIME_ID : CLOCK_MONOTONIC, &now);
     return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
 }
 
@@ -25,11 +31,13 @@ static bool is_software(const char *renderer)
     return false;
 }
 
-void stopwatch_create(struct stopwatch *watch)
+void stopwatch_create(struct stopwatch *watch, enum clock clock)
 {
     const char *renderer = (const char *)glGetString(GL_RENDERER);
 
-    *watch = (struct stopwatch){.timer_queries = !is_software(renderer ? renderer : "Software")};
+    if (clock == CLOCK_AUTO)
+        clock = is_software(renderer ? renderer : "Software") ? CLOCK_WALL : CLOCK_GPU;
+    *watch = (struct stopwatch){.clock = clock};
     glGenQueries(1, &watch->query);
 }
 
@@ -41,20 +49,20 @@ void stopwatch_destroy(struct stopwatch *watch)
 void stopwatch_start(struct stopwatch *watch)
 {
     glFinish();
-    if (watch->timer_queries)
+    if (watch->clock == CLOCK_GPU)
         glBeginQuery(GL_TIME_ELAPSED, watch->query);
-    watch->start_ms = now_ms();
+    watch->start_ms = now_ms(watch->clock);
 }
 
 double stopwatch_stop_ms(struct stopwatch *watch)
 {
     GLuint64 elapsed_ns = 0;
 
-    if (watch->timer_queries)
+    if (watch->clock == CLOCK_GPU)
         glEndQuery(GL_TIME_ELAPSED);
     glFinish();
-    if (!watch->timer_queries)
-        return now_ms() - watch->start_ms;
+    if (watch->clock != CLOCK_GPU)
+        return now_ms(watch->clock) - watch->start_ms;
     glGetQueryObjectui64v(watch->query, GL_QUERY_RESULT, &elapsed_ns);
     return 1e-6 * (double)elapsed_ns;
 }

@@ -2,10 +2,17 @@
 #ifndef STOPWATCH_H
 #define STOPWATCH_H
 
-#include <stdbool.h>
+enum clock {
+    CLOCK_AUTO = 0, /* the GPU's where there is one, else the wall's */
+    CLOCK_WALL,
+    CLOCK_PROCESSOR, /* time of all of the process's threads: on a busy machine with a software
+                      * rasteriser of one thread, what the wall clock would say of an idle one */
+    CLOCK_GPU,       /* timer queries */
+    CLOCKS
+};
 
 struct stopwatch {
-    bool timer_queries; /* a hardware GPU: its own clock counts, not the CPU's */
+    enum clock clock; /* never AUTO */
     unsigned int query;
     double start_ms;
 };
@@ -16,12 +23,14 @@ struct quartiles {
     double high;
 };
 
-/* Asks the renderer's name whether it is software. */
-void stopwatch_create(struct stopwatch *watch);
+extern const char *const clock_names[CLOCKS];
+
+/* CLOCK_AUTO asks the renderer's name whether it is software. */
+void stopwatch_create(struct stopwatch *watch, enum clock clock);
 void stopwatch_destroy(struct stopwatch *watch);
 
 void stopwatch_start(struct stopwatch *watch);
-/* Milliseconds since the start; by the GPU's clock where it has one. */
+/* Milliseconds since the start. */
 double stopwatch_stop_ms(struct stopwatch *watch);
 
 /* Sorts the values. */
