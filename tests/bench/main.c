@@ -188,7 +188,8 @@ static bool run_family(struct bench *bench, enum family family)
 {
     static const int lamps[] = {1, 2, 4, 8, 16, 32, 64, 0};
     static const int triangles[] = {1000, 10000, 100000, 1000000, 0};
-    static const int sizes_px[] = {512, 1024, 2048, 4096, 0};
+    static const int usual_px[] = {512, 1024, 2048, 4096, 0};
+    const struct options *options = &bench->options;
 
     switch (family) {
     case FAMILY_WARP:
@@ -202,7 +203,8 @@ static bool run_family(struct bench *bench, enum family family)
     case FAMILY_VIEWS:
         return views(bench);
     case FAMILY_SIZE:
-        return sweep(bench, family, "heavy", sizes_px);
+        return sweep(bench, family, "heavy",
+                     options->size_count > 1 ? options->sizes_px : usual_px);
     case FAMILIES:
         break;
     }

@@ -18,7 +18,7 @@ enum family {
 
 struct options {
     bool families[FAMILIES];
-    int sizes_px[LIST_MAX], size_count;
+    int sizes_px[LIST_MAX + 1], size_count; /* ends with 0 */
     double fovs_deg[LIST_MAX];
     int fov_count;
     enum cupola_lens_model lenses[LIST_MAX];
