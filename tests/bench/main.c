@@ -50,16 +50,34 @@ static bool take_scene(struct bench *bench, const struct load *load)
     return bench->scene;
 }
 
+/* The first, and those of the others that are wished for; how many. */
+static int choose(const struct options *options, const struct contender *all, int count,
+                  struct contender chosen[CONTENDERS_MAX])
+{
+    int kept = 1;
+
+    chosen[0] = all[0];
+    for (int i = 1; i < count; i++) {
+        bool wished = options->contender_count == 0;
+        for (int k = 0; k < options->contender_count; k++)
+            wished |= strcmp(options->contenders[k], all[i].name) == 0;
+        if (wished)
+            chosen[kept++] = all[i];
+    }
+    return kept;
+}
+
 /* Draws, measures and writes one comparison. */
 static bool compare(struct bench *bench, struct setting *setting,
-                    const struct json_heading *heading, const struct contender *contenders,
-                    int count)
+                    const struct json_heading *heading, const struct contender *all, int count)
 {
+    struct contender contenders[CONTENDERS_MAX];
     struct comparison_wishes wishes = bench->options.wishes;
     struct reference reference = {0}, *wished = bench->options.no_quality ? NULL : &reference;
     struct result results[CONTENDERS_MAX];
     bool done;
 
+    count = choose(&bench->options, all, count, contenders);
     wishes.warp_alone = strcmp(heading->family, family_names[FAMILY_WARP]) == 0;
     if (!take_scene(bench, &setting->load) ||
         !setting_create(setting, bench->scene, bench->message))

@@ -20,6 +20,7 @@ static const char help[] =
     "  --lens NAME,...     angular, hemispheric (angular)\n"
     "  --load NAME,...     light, lambert, heavy[:LAMPS], forest[:TRIANGLES], directions, or\n"
     "                      ns:COST: the lamps that make a pixel cost so many ns (light,heavy)\n"
+    "  --contenders N,...  by the names in the results, besides the first (all)\n"
     "  --table NAME        the warp's table in whole frames (Cupola's default)\n"
     "  --frames N          rounds that count (200)\n"
     "  --warm-up N         frames before them (5)\n"
@@ -35,6 +36,7 @@ enum wish {
     OPTION_FOV,
     OPTION_LENS,
     OPTION_LOAD,
+    OPTION_CONTENDERS,
     OPTION_TABLE,
     OPTION_FRAMES,
     OPTION_WARM_UP,
@@ -44,19 +46,21 @@ enum wish {
     OPTION_HELP
 };
 
-static const struct option long_options[] = {{"family", required_argument, NULL, OPTION_FAMILY},
-                                             {"size", required_argument, NULL, OPTION_SIZE},
-                                             {"fov", required_argument, NULL, OPTION_FOV},
-                                             {"lens", required_argument, NULL, OPTION_LENS},
-                                             {"load", required_argument, NULL, OPTION_LOAD},
-                                             {"table", required_argument, NULL, OPTION_TABLE},
-                                             {"frames", required_argument, NULL, OPTION_FRAMES},
-                                             {"warm-up", required_argument, NULL, OPTION_WARM_UP},
-                                             {"clock", required_argument, NULL, OPTION_CLOCK},
-                                             {"no-quality", no_argument, NULL, OPTION_NO_QUALITY},
-                                             {"output", required_argument, NULL, OPTION_OUTPUT},
-                                             {"help", no_argument, NULL, OPTION_HELP},
-                                             {0}};
+static const struct option long_options[] = {
+    {"family", required_argument, NULL, OPTION_FAMILY},
+    {"size", required_argument, NULL, OPTION_SIZE},
+    {"fov", required_argument, NULL, OPTION_FOV},
+    {"lens", required_argument, NULL, OPTION_LENS},
+    {"load", required_argument, NULL, OPTION_LOAD},
+    {"contenders", required_argument, NULL, OPTION_CONTENDERS},
+    {"table", required_argument, NULL, OPTION_TABLE},
+    {"frames", required_argument, NULL, OPTION_FRAMES},
+    {"warm-up", required_argument, NULL, OPTION_WARM_UP},
+    {"clock", required_argument, NULL, OPTION_CLOCK},
+    {"no-quality", no_argument, NULL, OPTION_NO_QUALITY},
+    {"output", required_argument, NULL, OPTION_OUTPUT},
+    {"help", no_argument, NULL, OPTION_HELP},
+    {0}};
 
 static bool read_number(const char *text, double least, double most, double *number)
 {
@@ -114,6 +118,11 @@ static bool add(struct options *options, int option, char *word)
         if (options->load_count >= LIST_MAX)
             return false;
         options->loads[options->load_count++] = word;
+        return true;
+    case OPTION_CONTENDERS:
+        if (options->contender_count >= LIST_MAX)
+            return false;
+        options->contenders[options->contender_count++] = word;
         return true;
     }
     return false;

@@ -25,6 +25,8 @@ struct options {
     int lens_count;
     const char *loads[LIST_MAX];
     int load_count;
+    const char *contenders[LIST_MAX]; /* by name, besides the first; none: all */
+    int contender_count;
     int table; /* of enum cupola_table, for whole frames */
     struct comparison_wishes wishes;
     bool no_quality;

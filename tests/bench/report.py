@@ -1,6 +1,6 @@
 """Tables and plots of the bench's figures: report.py COST.json FOLDER
 
-Writes FOLDER/cost.md and, where gnuplot is installed, FOLDER/cost-*.svg for what varies.
+Writes FOLDER/cost.md and, where gnuplot is installed, FOLDER/cost-*.png for what varies.
 """
 
 import json
@@ -113,7 +113,7 @@ def points(family, comparisons):
 def plot(family, comparisons, path):
     axis, logarithmic = AXES[family]
     lines = points(family, comparisons)
-    script = ["set terminal svg size 640,400 font 'sans,12' background 'white'",
+    script = ["set terminal pngcairo size 640,400 font 'sans,10'",
               f"set output '{path}'", "set key outside right", "set grid", "set yrange [0:*]",
               f"set xlabel '{axis}'", "set ylabel 'frame / perspective view'"]
     if logarithmic:
@@ -150,8 +150,8 @@ def main(path, folder):
             continue
         lines += [f"## {title}", ""]
         if family in AXES and shutil.which("gnuplot"):
-            plot(family, comparisons, os.path.join(folder, f"cost-{family}.svg"))
-            lines += [f"![{title}](cost-{family}.svg)", ""]
+            plot(family, comparisons, os.path.join(folder, f"cost-{family}.png"))
+            lines += [f"![{title}](cost-{family}.png)", ""]
         for comparison in comparisons:
             lines += table(comparison)
     with open(os.path.join(folder, "cost.md"), "w", encoding="utf-8") as out:
