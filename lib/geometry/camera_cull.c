@@ -1,5 +1,5 @@
 /*
- * What a view may see of spheres and boxes: each plane of the frustum by itself, so what is beyond
+ * What a view may see of spheres and boxes: each plane of frustum and borders by itself, so what is beyond
  * none of them counts as seen, even where it misses an edge or a corner.
  */
 #include <math.h>
@@ -33,6 +33,9 @@ static int sees(const struct cupola_camera *camera, const double center[3], cons
 {
     for (int p = 0; p < 6; p++)
         if (is_beyond(camera->planes[p], center, reach, radius))
+            return 0;
+    for (int b = 0; b < camera->border_count && b < CUPOLA_VIEWS_MAX - 1; b++)
+        if (is_beyond(camera->borders[b], center, reach, radius))
             return 0;
     return 1;
 }

@@ -212,7 +212,7 @@ double lens_angle(const struct lens *lens, double r)
     return nan("");
 }
 
-double lens_angle_slope(const struct lens *lens, double r)
+double lens_angle_slope(const struct lens *lens, double r, double angle)
 {
     /* At the rim of a hemispheric lens of 180 degrees (equisolid: 360) the slope is infinite; this
      * bound keeps products with it finite and is met only within 1e-12 of the rim. */
@@ -228,9 +228,9 @@ double lens_angle_slope(const struct lens *lens, double r)
     case CUPOLA_LENS_STEREOGRAPHIC:
         return 2 * s / (1 + r * r * s * s);
     case CUPOLA_LENS_POLYNOMIAL:
-        return 1 / polynomial_slope(lens->k, lens_angle(lens, r));
+        return 1 / polynomial_slope(lens->k, angle);
     case CUPOLA_LENS_TABLE:
-        return 1 / fmax(lens_table_slope(&lens->table, lens_angle(lens, r)), least_cosine);
+        return 1 / fmax(lens_table_slope(&lens->table, angle), least_cosine);
     }
     return nan("");
 }

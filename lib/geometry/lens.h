@@ -26,10 +26,13 @@ struct lens {
 /* Validates and scales; see cupola_lens_validate. */
 int lens_prepare(const struct cupola_lens *lens, struct lens *prepared, struct cupola_error *error);
 
-/* The forward form, 0 <= angle <= h, the inverse, 0 <= r <= 1, and the inverse's derivative. */
+/*
+ * The forward form, 0 <= angle <= h, the inverse, 0 <= r <= 1, and the inverse's derivative where
+ * the inverse is known: for measured lenses it is the dear part.
+ */
 double lens_radius(const struct lens *lens, double angle);
 double lens_angle(const struct lens *lens, double r);
-double lens_angle_slope(const struct lens *lens, double r);
+double lens_angle_slope(const struct lens *lens, double r, double angle);
 
 int lens_table_prepare(const struct cupola_lens *lens, double half_fov, struct lens_table *table,
                        struct cupola_error *error);

@@ -1,4 +1,4 @@
-/* Plans: from wishes to views. */
+/* Plans: from wishes to views, and views that follow the eye. */
 #include "plan.h"
 
 #include <math.h>
@@ -9,9 +9,6 @@
 #include "names.h"
 #include "vector.h"
 #include "views.h"
-
-/* Candidates are compared on a coarse grid of rays, the one chosen is fitted on a fine one. */
-enum { COARSE_CELLS = 32, FINE_CELLS = 512 };
 
 static const char *const layout_names[] = {"auto", "asymmetric", "rotated"};
 
@@ -36,7 +33,44 @@ static int check_integer(const char *name, int value, int least, int most,
                      least, most);
 }
 
-static int complete_params(const struct cupola_plan_params *wished,
+static int check_price(const char *name, double value, struct cupola_error *error)
+{
+    if (value >= 0 && value <= 1e6)
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is %g; allowed: 0 to 1e6", name, value);
+}
+
+static int complete_prices(struct cupola_plan_params *params, struct cupola_error *error)
+{
+    struct cupola_cost *cost = &params->cost;
+    int status;
+    if ((status = check_integer("goal", (int)params->goal, 0, CUPOLA_GOAL_VERTICES, error)) < 0 ||
+        (status = check_price("price of a view", cost->view, error)) < 0 ||
+        (status = check_price("price of an allocated texel", cost->texel_allocated, error)) < 0 ||
+        (status = check_price("price of all vertices", cost->vertices, error)) < 0)
+        return status;
+    if (cost->view == 0)
+        cost->view = 0.005;
+    if (cost->texel_allocated == 0)
+        cost->texel_allocated = 0.05;
+    if (cost->vertices == 0 && params->goal == CUPOLA_GOAL_VERTICES)
+        cost->vertices = 100;
+    return CUPOLA_OK;
+}
+
+/* The sphere that the eye moves in keeps away from the screen. */
+static int check_head(const cupola_dome *dome, double head_radius_m, struct cupola_error *error)
+{
+    double most = 0.9 * dome->rig.screen.radius_m - length3(dome->rig.eye_m);
+    if (head_radius_m == 0 || (head_radius_m > 0 && head_radius_m <= most))
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "head radius is %g m; allowed: 0 to %g m, which is 9/10 of the screen's "
+                     "radius less the eye's distance from its centre",
+                     head_radius_m, fmax(most, 0));
+}
+
+static int complete_params(const cupola_dome *dome, const struct cupola_plan_params *wished,
                            struct cupola_plan_params *params, struct cupola_error *error)
 {
     *params = wished ? *wished : (struct cupola_plan_params){0};
@@ -63,150 +97,162 @@ static int complete_params(const struct cupola_plan_params *wished,
     if (!(params->density >= 1.0 / 16 && params->density <= 16))
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "density is %g; allowed: 0.0625 to 16",
                          params->density);
-    return CUPOLA_OK;
-}
-
-/* The paper's section 3: two passes up to 90 degrees, three up to 140, four beyond. */
-static int usual_views(double opening_rad)
-{
-    const double slack = 1e-6;
-    if (opening_rad <= 90 * (pi / 180) + slack)
-        return 2;
-    return opening_rad <= 140 * (pi / 180) + slack ? 3 : 4;
-}
-
-/* Everything that a plan is made with. */
-struct planning {
-    struct cupola_plan_params params;
-    struct plan_sizing sizing;
-    struct plan_rays coarse, fine;
-    struct plan_fit fit;
-};
-
-/* Chooses views on the coarse grid and fits them on the fine one. Returns their number. */
-static int try_layout(struct planning *planning, enum cupola_layout layout, int count,
-                      struct cupola_view *views, double *farthest_rad)
-{
-    int found =
-        layout == CUPOLA_LAYOUT_ASYMMETRIC
-            ? plan_layout_asymmetric(&planning->coarse, count, &planning->sizing, views,
-                                     farthest_rad)
-            : plan_layout_rotated(&planning->coarse, count, &planning->sizing, views, farthest_rad);
-    if (found < 0)
-        return found;
-    int status = plan_fit_views(&planning->fine, views, found, &planning->sizing, &planning->fit);
-    *farthest_rad = fmax(*farthest_rad, planning->fit.farthest_rad);
-    return status == CUPOLA_OK ? found : status;
-}
-
-static int refuse_asymmetric(double farthest_rad, struct cupola_error *error)
-{
-    return error_set(error, CUPOLA_ERROR_LAYOUT,
-                     "layout asymmetric would have to reach rays %.4g degrees off its axis; "
-                     "allowed: up to 80; layout rotated can",
-                     farthest_rad * (180 / pi));
-}
-
-/* Names the least number of views that would do, or else the lens for which none does. */
-static int refuse_rotated(struct planning *planning, const cupola_dome *dome, int count,
-                          double farthest_rad, struct cupola_error *error)
-{
-    for (int enough = count + 1; enough <= CUPOLA_VIEWS_MAX; enough++) {
-        struct cupola_view views[CUPOLA_VIEWS_MAX];
-        double ignored;
-        if (try_layout(planning, CUPOLA_LAYOUT_ROTATED, enough, views, &ignored) > 0)
-            return error_set(error, CUPOLA_ERROR_LAYOUT,
-                             "layout rotated with %d view%s would have to reach rays %.4g degrees "
-                             "off a view's axis, more than 80; allowed: at least %d views",
-                             count, count == 1 ? "" : "s", farthest_rad * (180 / pi), enough);
-    }
-    return plan_refuse_lens(dome, &planning->coarse, COARSE_CELLS, &planning->sizing, error);
-}
-
-static int choose_views(struct planning *planning, cupola_plan *plan, struct cupola_error *error)
-{
-    const struct cupola_plan_params *params = &planning->params;
-    int usual = usual_views(planning->fine.opening_rad);
-    int count = params->views ? params->views : usual;
-    double farthest = 0;
-    int found = CUPOLA_ERROR_LAYOUT;
-    if (params->layout != CUPOLA_LAYOUT_ROTATED) {
-        found = try_layout(planning, CUPOLA_LAYOUT_ASYMMETRIC, count, plan->views, &farthest);
-        plan->report.layout = CUPOLA_LAYOUT_ASYMMETRIC;
-        if (found == CUPOLA_ERROR_LAYOUT && params->layout == CUPOLA_LAYOUT_ASYMMETRIC)
-            return refuse_asymmetric(farthest, error);
-    }
-    if (found == CUPOLA_ERROR_LAYOUT) {
-        plan->report.layout = CUPOLA_LAYOUT_ROTATED;
-        int most = params->views ? count : CUPOLA_VIEWS_MAX;
-        for (; count <= most && found == CUPOLA_ERROR_LAYOUT; count++)
-            found = try_layout(planning, CUPOLA_LAYOUT_ROTATED, count, plan->views, &farthest);
-        if (found == CUPOLA_ERROR_LAYOUT)
-            return refuse_rotated(planning, &plan->dome, most, farthest, error);
-    }
-    if (found < 0)
-        return error_set(error, (enum cupola_status)found, "no memory for a plan");
-    plan->view_count = found;
-    snprintf(plan->report.reason, sizeof plan->report.reason,
-             "%d %s view%s: the eye sees %.4g degrees and the farthest ray is %.4g degrees off a "
-             "view's axis (up to 80)",
-             found, layout_names[plan->report.layout], found == 1 ? "" : "s",
-             planning->fine.opening_rad * (180 / pi), planning->fit.farthest_rad * (180 / pi));
-    return CUPOLA_OK;
+    status = complete_prices(params, error);
+    return status == CUPOLA_OK ? check_head(dome, params->head_radius_m, error) : status;
 }
 
 /* Whole texels, and the guard band round them. */
+static int size_view(const struct cupola_plan_params *params, const struct plan_exact_view *fit,
+                     int index, struct cupola_view *view, struct cupola_error *error)
+{
+    static const double texel_slack = 2 * PLAN_TEXEL_SLACK;
+    int guard = params->guard_px, limit = params->max_texture_px;
+    double texels[2], density[2], longer = 0;
+    for (int axis = 0; axis < 2; axis++)
+        longer = fmax(longer, fit->extent[axis] * fit->density[axis] + texel_slack);
+    double factor = params->view_size_px ? params->view_size_px / longer : 1;
+    for (int axis = 0; axis < 2; axis++) {
+        density[axis] = factor * fit->density[axis];
+        /* A size asked for by hand must not grow by a rounding error. */
+        double exact = factor * (fit->extent[axis] * fit->density[axis] + texel_slack);
+        texels[axis] = fmax(ceil(exact - 1e-9), 1) + 2 * guard;
+    }
+    if (!(texels[0] <= limit && texels[1] <= limit))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "view %d would be %.0f x %.0f texels; allowed: up to %d each way; "
+                         "a lower density or more views make it smaller",
+                         index, texels[0], texels[1], limit);
+    memcpy(view->rotation, fit->rotation, sizeof view->rotation);
+    memcpy(view->selector, fit->selector, sizeof view->selector);
+    view->rect.width = (int)texels[0];
+    view->rect.height = (int)texels[1];
+    /* Rounding up widens the rectangle and not the density: under a mask that is free. */
+    view->left = 0;
+    view->right = texels[0] / density[0];
+    view->bottom = 0;
+    view->top = texels[1] / density[1];
+    return CUPOLA_OK;
+}
+
+/* Moves a base rectangle, whose size is set, so that what the rays meet is in its middle. */
+static void center_view(const double core[4], struct cupola_view *view)
+{
+    double half_width = 0.5 * (view->right - view->left);
+    double half_height = 0.5 * (view->top - view->bottom);
+    double u = 0.5 * (core[0] + core[1]), v = 0.5 * (core[2] + core[3]);
+    view->left = u - half_width;
+    view->right = u + half_width;
+    view->bottom = v - half_height;
+    view->top = v + half_height;
+}
+
+static void refit(cupola_plan *plan, const double eye_m[3])
+{
+    double core[4];
+    for (int v = 0; v < plan->view_count; v++)
+        if (plan_outline_core(plan, eye_m, v, core))
+            center_view(core, &plan->views[v]);
+}
+
 static int size_views(const struct planning *planning, cupola_plan *plan,
                       struct cupola_error *error)
 {
-    int guard = planning->params.guard_px, limit = planning->params.max_texture_px;
+    plan->view_count = planning->exact.count;
     for (int v = 0; v < plan->view_count; v++) {
-        const struct plan_view_fit *fit = &planning->fit.views[v];
-        struct cupola_view *view = &plan->views[v];
-        double extent[2] = {fit->core[1] - fit->core[0], fit->core[3] - fit->core[2]};
-        /* A size asked for by hand must not grow by a rounding error. */
-        double texels[2] = {fmax(ceil(extent[0] * fit->density[0] - 1e-9), 1),
-                            fmax(ceil(extent[1] * fit->density[1] - 1e-9), 1)};
-        if (!(texels[0] + 2 * guard <= limit && texels[1] + 2 * guard <= limit))
-            return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                             "view %d would be %.0f x %.0f texels; allowed: up to %d each way; "
-                             "a lower density or more views make it smaller",
-                             v, texels[0] + 2 * guard, texels[1] + 2 * guard, limit);
-        double guard_u = guard * extent[0] / texels[0], guard_v = guard * extent[1] / texels[1];
-        view->left = fit->core[0] - guard_u;
-        view->right = fit->core[1] + guard_u;
-        view->bottom = fit->core[2] - guard_v;
-        view->top = fit->core[3] + guard_v;
-        view->rect.width = (int)texels[0] + 2 * guard;
-        view->rect.height = (int)texels[1] + 2 * guard;
+        const struct plan_exact_view *fit = &planning->exact.views[v];
+        int status = size_view(&planning->params, fit, v, &plan->views[v], error);
+        if (status != CUPOLA_OK)
+            return status;
+        center_view(fit->core, &plan->views[v]);
     }
     return CUPOLA_OK;
+}
+
+/* What one view adds to the sums of a report, in texels. */
+static void add_view(const struct planning *planning, const struct cupola_view *view,
+                     const struct plan_exact_view *fit, struct cupola_plan_report *report)
+{
+    double density[2] = {view->rect.width / (view->right - view->left),
+                         view->rect.height / (view->top - view->bottom)};
+    double rect = (double)view->rect.width * view->rect.height;
+    double width = (fit->core[1] - fit->core[0]) * density[0];
+    double height = (fit->core[3] - fit->core[2]) * density[1];
+    double guard = 2 * planning->params.guard_px, sampled = fit->area * density[0] * density[1];
+    report->texels_shaded_per_pixel += rect;
+    report->texels_sampled_per_pixel += sampled;
+    /* A shape without dents, widened by a square, gains its rectangle's sides. */
+    report->texels_masked_per_pixel += fmin(sampled + guard * (width + height + guard), rect);
+    report->least_texels_per_pixel =
+        fmin(report->least_texels_per_pixel, fit->least * density[0] / fit->density[0]);
 }
 
 static void report_costs(const struct planning *planning, cupola_plan *plan)
 {
     struct cupola_plan_report *report = &plan->report;
-    double shaded = 0, sampled = 0;
+    const struct cupola_plan_params *params = &planning->params;
+    const struct plan_choice *choice = &planning->choices[planning->chosen];
+    double pixels = planning->exact.pixels, farthest = 0;
     report->least_texels_per_pixel = HUGE_VAL;
     for (int v = 0; v < plan->view_count; v++) {
-        const struct cupola_view *view = &plan->views[v];
-        const struct plan_view_fit *fit = &planning->fit.views[v];
-        double density[2] = {view->rect.width / (view->right - view->left),
-                             view->rect.height / (view->top - view->bottom)};
-        /* Rounding up to whole texels gave a little more than the fit asked for. */
-        double gain = fmin(density[0] / fit->density[0], density[1] / fit->density[1]);
-        report->least_texels_per_pixel =
-            fmin(report->least_texels_per_pixel, gain * fit->least_texels_per_pixel);
-        shaded += (double)view->rect.width * view->rect.height;
-        sampled += fit->area * density[0] * density[1];
+        add_view(planning, &plan->views[v], &planning->exact.views[v], report);
+        farthest = fmax(farthest, planning->exact.views[v].farthest_rad);
     }
+    report->layout = choice->layout;
     report->views = plan->view_count;
-    report->pixels = planning->fine.pixels;
-    report->seen_fov_rad = planning->fine.opening_rad;
+    report->pixels = pixels;
+    report->seen_fov_rad = 2 * planning->fine.half_rad;
     report->texels_allocated_per_pixel =
-        (double)report->atlas_width_px * report->atlas_height_px / report->pixels;
-    report->texels_shaded_per_pixel = shaded / report->pixels;
-    report->texels_sampled_per_pixel = sampled / report->pixels;
+        (double)report->atlas_width_px * report->atlas_height_px / pixels;
+    report->texels_shaded_per_pixel /= pixels;
+    report->texels_sampled_per_pixel /= pixels;
+    report->texels_masked_per_pixel /= pixels;
+    double filled =
+        params->unmasked ? report->texels_shaded_per_pixel : report->texels_masked_per_pixel;
+    report->cost = filled + params->cost.texel_allocated * report->texels_shaded_per_pixel +
+                   params->cost.view * plan->view_count + choice->drawn_cost / pixels;
+    if (plan->view_count == choice->count)
+        memcpy(report->family, choice->family, sizeof report->family);
+    else
+        snprintf(report->family, sizeof report->family, "%d", plan->view_count);
+    snprintf(report->reason, sizeof report->reason,
+             "%d %s view%s (%s) cost%s least: %.3g texels shaded under a mask and %.3g allocated "
+             "per pixel, where the eye sees %.4g degrees and the farthest ray is %.4g degrees off "
+             "a view's axis (up to 80)",
+             plan->view_count, layout_names[report->layout], plan->view_count == 1 ? "" : "s",
+             report->family, plan->view_count == 1 ? "s" : "", report->texels_masked_per_pixel,
+             report->texels_allocated_per_pixel, report->seen_fov_rad * (180 / pi),
+             farthest * (180 / pi));
+}
+
+/* What is needed to move the eye later. */
+static int prepare_moves(const struct planning *planning, cupola_plan *plan,
+                         struct cupola_error *error)
+{
+    plan->head_radius_m = planning->params.head_radius_m;
+    memcpy(plan->planned_eye_m, plan->dome.rig.eye_m, sizeof plan->planned_eye_m);
+    if (plan->head_radius_m == 0)
+        return CUPOLA_OK;
+    if (plan_outline_trace(&plan->dome, &plan->outline) != CUPOLA_OK)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for the outline of a plan");
+    refit(plan, plan->dome.rig.eye_m);
+    return CUPOLA_OK;
+}
+
+static int finish(struct planning *planning, cupola_plan *plan, struct cupola_error *error)
+{
+    const struct cupola_plan_params *params = &planning->params;
+    int status = planning_solve(planning, params->layout, params->views);
+    if (status == CUPOLA_ERROR_LAYOUT)
+        return plan_refuse(planning, error);
+    if (status != CUPOLA_OK)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a plan");
+    if ((status = size_views(planning, plan, error)) != CUPOLA_OK ||
+        (status = plan_atlas_pack(plan->views, plan->view_count, params->max_texture_px,
+                                  &plan->report.atlas_width_px, &plan->report.atlas_height_px,
+                                  error)) != CUPOLA_OK)
+        return status;
+    report_costs(planning, plan);
+    return prepare_moves(planning, plan, error);
 }
 
 int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params *params,
@@ -215,43 +261,54 @@ int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params 
     if (!dome || !plan)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL; allowed: a %s",
                          dome ? "plan" : "dome", dome ? "place for a plan" : "dome");
-    struct planning planning = {.sizing = {0}};
-    cupola_plan *made = NULL;
-    int status = complete_params(params, &planning.params, error);
+    struct cupola_plan_params complete;
+    struct planning planning;
+    int status = complete_params(dome, params, &complete, error);
     if (status != CUPOLA_OK)
         return status;
-    planning.sizing = (struct plan_sizing){planning.params.density, planning.params.view_size_px,
-                                           planning.params.guard_px};
-    if ((status = plan_rays_gather(dome, COARSE_CELLS, &planning.coarse, error)) != CUPOLA_OK ||
-        (status = plan_rays_gather(dome, FINE_CELLS, &planning.fine, error)) != CUPOLA_OK)
-        goto done;
-    made = calloc(1, sizeof *made);
-    if (!made) {
-        status = error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a plan");
-        goto done;
-    }
+    cupola_plan *made = calloc(1, sizeof *made);
+    if (!made)
+        return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a plan");
     made->dome = *dome;
-    made->rotation_in_projection = planning.params.rotation_in_projection;
-    if ((status = choose_views(&planning, made, error)) != CUPOLA_OK ||
-        (status = size_views(&planning, made, error)) != CUPOLA_OK ||
-        (status = plan_atlas_pack(made->views, made->view_count, planning.params.max_texture_px,
-                                  &made->report.atlas_width_px, &made->report.atlas_height_px,
-                                  error)) != CUPOLA_OK)
-        goto done;
-    report_costs(&planning, made);
-    *plan = made;
-    made = NULL;
-done:
-    plan_rays_release(&planning.coarse);
-    plan_rays_release(&planning.fine);
-    free(made);
+    made->rotation_in_projection = complete.rotation_in_projection;
+    made->guard_px = complete.guard_px;
+    status = planning_begin(dome, &complete, &planning, error);
+    if (status == CUPOLA_OK)
+        status = finish(&planning, made, error);
+    planning_end(&planning);
+    if (status != CUPOLA_OK)
+        cupola_plan_destroy(&made);
+    else
+        *plan = made;
     return status;
+}
+
+int cupola_plan_set_eye(cupola_plan *plan, const double eye_m[3], struct cupola_error *error)
+{
+    if (!plan || !eye_m)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL; allowed: %s",
+                         plan ? "eye" : "plan", plan ? "a place in the dome" : "a plan");
+    double apart[3];
+    for (int i = 0; i < 3; i++)
+        apart[i] = eye_m[i] - plan->planned_eye_m[i];
+    double distance = length3(apart);
+    if (!(distance <= plan->head_radius_m * (1 + 1e-9)))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "eye is %g m from where the plan has it; allowed: up to its head radius, "
+                         "%g m",
+                         distance, plan->head_radius_m);
+    if (plan->head_radius_m > 0)
+        refit(plan, eye_m);
+    memcpy(plan->dome.rig.eye_m, eye_m, sizeof plan->dome.rig.eye_m);
+    return CUPOLA_OK;
 }
 
 void cupola_plan_destroy(cupola_plan **plan)
 {
     if (!plan)
         return;
+    if (*plan)
+        free((*plan)->outline.points);
     free(*plan);
     *plan = NULL;
 }

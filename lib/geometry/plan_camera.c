@@ -1,4 +1,4 @@
-/* Matrices and frustum planes of a view, as GL wants them. */
+/* Matrices, frustum planes and borders of a view, as GL wants them. */
 #include <math.h>
 #include <string.h>
 
@@ -88,6 +88,38 @@ static void frustum_planes(const struct cupola_view *view, const double eye[3],
         memcpy(planes[5], (const float[4]){0, 0, 0, 1}, sizeof planes[5]);
 }
 
+/*
+ * Where the view ends for the sake of others: selector . x >= other . x, as the line a u + b v >= c
+ * of the base plane, moved outwards by the guard band.
+ */
+static void border_plane(const struct cupola_view *view, const struct cupola_view *other,
+                         const double eye[3], int guard_px, float plane[4])
+{
+    double apart[3], line[3], normal[3];
+    for (int i = 0; i < 3; i++)
+        apart[i] = view->selector[i] - other->selector[i];
+    transform3(view->rotation, apart, line);
+    double guard_u = guard_px * (view->right - view->left) / view->rect.width;
+    double guard_v = guard_px * (view->top - view->bottom) / view->rect.height;
+    line[2] -= fabs(line[0]) * guard_u + fabs(line[1]) * guard_v;
+    transform3_back(view->rotation, line, normal);
+    scale3(normal, 1 / length3(normal));
+    for (int i = 0; i < 3; i++)
+        plane[i] = (float)normal[i];
+    plane[3] = (float)-dot3(normal, eye);
+}
+
+static void border_planes(const cupola_plan *plan, int index, const double eye[3],
+                          struct cupola_camera *camera)
+{
+    int count = 0;
+    for (int v = 0; v < plan->view_count; v++)
+        if (v != index)
+            border_plane(&plan->views[index], &plan->views[v], eye, plan->guard_px,
+                         camera->borders[count++]);
+    camera->border_count = count;
+}
+
 /* In place of zero what it stands for; what is left is such that floats hold the matrices. */
 static int complete_depth(const struct cupola_depth *wished, struct cupola_depth *depth,
                           struct cupola_error *error)
@@ -141,5 +173,6 @@ int cupola_plan_camera(const cupola_plan *plan, int index, const struct cupola_d
         camera->projection[i] = (float)projection[i];
     }
     frustum_planes(&plan->views[index], eye, &complete, camera->planes);
+    border_planes(plan, index, eye, camera);
     return CUPOLA_OK;
 }

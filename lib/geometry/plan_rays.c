@@ -6,29 +6,6 @@
 #include "plan.h"
 #include "vector.h"
 
-/*
- * Towards the rim of a lens of nearly 360 degrees a pixel covers no angle at all across the radius,
- * since the whole rim shows one point, and no finite density would do. There a pixel counts as no
- * narrower than a quarter of the lens's mean radial step; up to 280 degrees this changes nothing.
- */
-static void widen_collapsed(const struct projector *projector, const double place[2],
-                            struct varying *ray)
-{
-    double r = hypot(place[0], place[1]);
-    if (!(r > 0.5))
-        return;
-    double sine = sin(lens_angle(&projector->lens, fmin(r, 1)));
-    double missing = (0.25 * projector->lens.half_fov - sine / r) / projector->radius_px;
-    if (!(missing > 0))
-        return;
-    double tangent[3] = {-place[1] / r, place[0] / r, 0}, in_dome[3];
-    transform3(projector->aim, tangent, in_dome);
-    for (int i = 0; i < 3; i++) {
-        ray->dx[i] += missing * projector->sign[0] * tangent[0] * in_dome[i];
-        ray->dy[i] += missing * projector->sign[1] * tangent[1] * in_dome[i];
-    }
-}
-
 /* The point of the screen at a place; returns how far inside of the cap it is, in cosines. */
 static double trace_point(const struct projector *projector, const double place_px[2],
                           double place[2], struct varying *point)
@@ -36,18 +13,16 @@ static double trace_point(const struct projector *projector, const double place_
     struct varying lens;
     circle_place(projector, place_px[0], place_px[1], place);
     lens_ray(projector, place, &lens);
-    widen_collapsed(projector, place, &lens);
+    plan_widen_collapsed(projector, place, &lens);
     screen_point(projector, &lens, point);
     return -point->at[2] / projector->screen_radius_m - projector->cap_cosine;
 }
 
 /*
- * Draws a place towards the cap's edge until it is beyond_px beyond it, along the edge's normal
- * (Newton's method). False, and the place as it was, where that does not come to an end within a
- * few cells, as at a rim of infinite slope.
+ * Draws a place onto the cap's edge along the edge's normal (Newton's method). False, and the place
+ * as it was, where that does not come to an end within a few cells, as at a rim of infinite slope.
  */
-static bool draw_towards_edge(const struct projector *projector, double step_px, double beyond_px,
-                              double place_px[2])
+static bool draw_onto_edge(const struct projector *projector, double step_px, double place_px[2])
 {
     double at_px[2] = {place_px[0], place_px[1]};
     for (int i = 0; i < 12; i++) {
@@ -57,7 +32,7 @@ static bool draw_towards_edge(const struct projector *projector, double step_px,
         double dx = -point.dx[2] / projector->screen_radius_m;
         double dy = -point.dy[2] / projector->screen_radius_m;
         double slope = hypot(dx, dy);
-        double error_px = excess / slope + beyond_px;
+        double error_px = excess / slope;
         if (fabs(error_px) < 1e-6) {
             memcpy(place_px, at_px, sizeof at_px);
             return true;
@@ -70,28 +45,23 @@ static bool draw_towards_edge(const struct projector *projector, double step_px,
     return false;
 }
 
-static void trace_corner(const cupola_dome *dome, const struct projector *projector, double x_px,
-                         double y_px, double step_px, struct plan_ray *corner)
+static void trace_corner(const cupola_dome *dome, const double eye_m[3],
+                         const struct projector *projector, double x_px, double y_px,
+                         double step_px, struct plan_ray *corner)
 {
-    /* A pixel that the edge cuts has its middle at most half of its diagonal beyond it. */
-    const double half_diagonal_px = 0.71;
-    double place[2], edge_px[2] = {x_px, y_px}, sampled_px[2] = {x_px, y_px};
-    struct varying point, seen;
+    double place[2], edge_px[2] = {x_px, y_px};
+    struct varying point;
     double excess = trace_point(projector, edge_px, place, &point);
     double slope = (fabs(point.dx[2]) + fabs(point.dy[2])) / projector->screen_radius_m;
     corner->on_screen = !projector->capped || excess >= 0;
     corner->near_screen = corner->on_screen || excess >= -slope * step_px;
     /* A lit cell's other corners are farther than one cell from the edge, but not much. */
-    if (!corner->on_screen && excess >= -4 * slope * step_px)
-        corner->on_screen = draw_towards_edge(projector, step_px, 0, edge_px);
-    if (hypot(edge_px[0] - x_px, edge_px[1] - y_px) > half_diagonal_px)
-        draw_towards_edge(projector, step_px, half_diagonal_px, sampled_px);
-
-    trace_point(projector, sampled_px, place, &point);
-    eye_ray(dome, dome->rig.eye_m, &point, &corner->ray);
-    trace_point(projector, edge_px, place, &point);
-    eye_ray(dome, dome->rig.eye_m, &point, &seen);
-    memcpy(corner->seen, seen.at, sizeof corner->seen);
+    if (!corner->on_screen && excess >= -4 * slope * step_px &&
+        draw_onto_edge(projector, step_px, edge_px)) {
+        corner->on_screen = true;
+        trace_point(projector, edge_px, place, &point);
+    }
+    eye_ray(dome, eye_m, &point, &corner->seen);
     for (int i = 0; i < 2; i++)
         corner->place_px[i] =
             projector->center_px[i] + projector->sign[i] * projector->radius_px * place[i];
@@ -111,21 +81,16 @@ static bool cell_is_lit(const struct projector *projector, const struct plan_ray
            corners[3]->near_screen;
 }
 
-/* Left, right, bottom, top of a part of an image, px. */
-struct part {
-    double sides[4];
-};
-
 /*
  * The image of the cap, by its edge. False where the lens does not see all of the edge or not the
  * pole: then the cap does not bound the image, or from the wrong side.
  */
-static bool cap_part(const struct projector *projector, struct part *part)
+static bool cap_part(const struct projector *projector, struct plan_part *part)
 {
     enum { PLACES = 256 };
     double radius = projector->screen_radius_m, found[2];
     double cosine = projector->cap_cosine, sine = sqrt(fmax(1 - cosine * cosine, 0));
-    *part = (struct part){{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL}};
+    *part = (struct plan_part){{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL}};
     for (int i = 0; i <= PLACES; i++) {
         /* The last one is the pole. */
         double azimuth = 2 * pi * i / PLACES, across = i < PLACES ? sine * radius : 0;
@@ -150,10 +115,9 @@ static bool cap_part(const struct projector *projector, struct part *part)
     return true;
 }
 
-/* Whole pixels round what may be lit: where frame buffer, image circle and cap meet. */
-static struct part lit_part(const struct projector *projector)
+struct plan_part plan_lit_part(const struct projector *projector)
 {
-    struct part cap, part = {{0, projector->width_px, 0, projector->height_px}};
+    struct plan_part cap, part = {{0, projector->width_px, 0, projector->height_px}};
     bool capped = projector->capped && cap_part(projector, &cap);
     for (int axis = 0; axis < 2; axis++) {
         double *sides = part.sides + 2 * axis;
@@ -169,28 +133,24 @@ static struct part lit_part(const struct projector *projector)
     return part;
 }
 
-static int gather_grid(const cupola_dome *dome, const struct projector *projector, int cells_max,
-                       struct plan_grid *grid)
+static int gather_grid(const cupola_dome *dome, const double eye_m[3],
+                       const struct projector *projector, double cells, struct plan_grid *grid)
 {
-    /* Fewer cells than this would be too coarse for an angle of its own each. */
-    enum { CELLS_MIN = 24 };
-    struct part part = lit_part(projector);
+    struct plan_part part = plan_lit_part(projector);
     double left = part.sides[0], bottom = part.sides[2];
-    double larger = fmax(part.sides[1] - left, part.sides[3] - bottom);
-    double step = larger < CELLS_MIN ? 1 / ceil(CELLS_MIN / larger) : ceil(larger / cells_max);
+    double step = fmax(part.sides[1] - left, part.sides[3] - bottom) / cells;
     grid->sense = projector->sign[0] * projector->sign[1];
     grid->columns = (int)ceil((part.sides[1] - left) / step - 1e-9);
     grid->rows = (int)ceil((part.sides[3] - bottom) / step - 1e-9);
     size_t corner_count = (size_t)(grid->columns + 1) * (size_t)(grid->rows + 1);
     grid->corners = malloc(corner_count * sizeof *grid->corners);
     grid->lit = malloc((size_t)grid->columns * (size_t)grid->rows);
-    grid->views = malloc(corner_count);
-    if (!grid->corners || !grid->lit || !grid->views)
+    if (!grid->corners || !grid->lit)
         return CUPOLA_ERROR_MEMORY;
 
     for (int row = 0; row <= grid->rows; row++)
         for (int column = 0; column <= grid->columns; column++)
-            trace_corner(dome, projector, fmin(left + column * step, part.sides[1]),
+            trace_corner(dome, eye_m, projector, fmin(left + column * step, part.sides[1]),
                          fmin(bottom + row * step, part.sides[3]), step,
                          &grid->corners[row * (grid->columns + 1) + column]);
     for (int row = 0; row < grid->rows; row++)
@@ -245,9 +205,9 @@ static void add_cell(const struct plan_grid *grid, const struct plan_ray *const 
     double unit[4][3], around[3] = {0}, middle[3] = {0};
     rays->pixels += lit_area(corners);
     for (int i = 0; i < 4; i++) {
-        double length = length3(corners[i]->seen);
+        double length = length3(corners[i]->seen.at);
         for (int k = 0; k < 3; k++) {
-            unit[i][k] = corners[i]->seen[k] / length;
+            unit[i][k] = corners[i]->seen.at[k] / length;
             middle[k] += unit[i][k];
         }
     }
@@ -280,7 +240,7 @@ static void widen_opening(const struct plan_grid *grid, const struct plan_ray *c
     (void)grid;
     struct plan_rays *rays = user;
     for (int i = 0; i < 4; i++) {
-        const double *v = corners[i]->seen;
+        const double *v = corners[i]->seen.at;
         double across[3];
         if (!corners[i]->on_screen)
             continue;
@@ -290,12 +250,14 @@ static void widen_opening(const struct plan_grid *grid, const struct plan_ray *c
     }
 }
 
-int plan_rays_gather(const cupola_dome *dome, int cells_max, struct plan_rays *rays,
-                     struct cupola_error *error)
+int plan_rays_gather(const cupola_dome *dome, const double eye_m[3], int cells,
+                     struct plan_rays *rays, struct cupola_error *error)
 {
+    double cells_each = cells / sqrt(dome->rig.output_count);
     *rays = (struct plan_rays){.count = dome->rig.output_count};
     for (int i = 0; i < rays->count; i++)
-        if (gather_grid(dome, &dome->projectors[i], cells_max, &rays->grids[i]) != CUPOLA_OK) {
+        if (gather_grid(dome, eye_m, &dome->projectors[i], cells_each, &rays->grids[i]) !=
+            CUPOLA_OK) {
             plan_rays_release(rays);
             return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for the rays of output %d", i);
         }
@@ -327,7 +289,6 @@ void plan_rays_release(struct plan_rays *rays)
     for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++) {
         free(rays->grids[i].corners);
         free(rays->grids[i].lit);
-        free(rays->grids[i].views);
     }
     *rays = (struct plan_rays){0};
 }

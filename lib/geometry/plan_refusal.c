@@ -18,8 +18,9 @@ static void widen(const struct plan_grid *grid, const struct plan_ray *const cor
     double *angle = &widest->angle_rad[grid - widest->rays->grids];
     for (int i = 0; i < 2; i++) {
         double across[3];
-        cross3(corners[i]->seen, corners[i + 2]->seen, across);
-        *angle = fmax(*angle, atan2(length3(across), dot3(corners[i]->seen, corners[i + 2]->seen)));
+        cross3(corners[i]->seen.at, corners[i + 2]->seen.at, across);
+        *angle = fmax(*angle,
+                      atan2(length3(across), dot3(corners[i]->seen.at, corners[i + 2]->seen.at)));
     }
 }
 
@@ -36,37 +37,31 @@ static int steepest_output(const struct plan_rays *rays)
 }
 
 /* Whether any number of views would do if the output's lens were that narrow. */
-static bool can_serve(const struct cupola_rig *rig, int output, double fov_rad, int cells_max,
-                      const struct plan_sizing *sizing)
+static bool can_serve(const struct planning *planning, int output, double fov_rad)
 {
-    struct cupola_rig narrowed = *rig;
+    struct cupola_rig narrowed = planning->dome->rig;
     cupola_dome *dome = NULL;
-    struct plan_rays rays = {.count = 0};
-    struct cupola_view views[CUPOLA_VIEWS_MAX];
-    double ignored;
+    struct planning again = {.chosen = 0};
     narrowed.outputs[output].lens.fov_rad = fov_rad;
-    bool can = false;
-    if (cupola_dome_create(&narrowed, &dome, NULL) == CUPOLA_OK &&
-        plan_rays_gather(dome, cells_max, &rays, NULL) == CUPOLA_OK)
-        for (int count = CUPOLA_VIEWS_MAX; count > 0 && !can; count--)
-            can = plan_layout_rotated(&rays, count, sizing, views, &ignored) > 0;
-    plan_rays_release(&rays);
+    bool can = cupola_dome_create(&narrowed, &dome, NULL) == CUPOLA_OK &&
+               planning_begin(dome, &planning->params, &again, NULL) == CUPOLA_OK &&
+               planning_solve(&again, CUPOLA_LAYOUT_ROTATED, 0) == CUPOLA_OK;
+    planning_end(&again);
     cupola_dome_destroy(&dome);
     return can;
 }
 
 /* The widest lens of whole degrees that can be served, by bisection; 0: none, or a measured lens,
  * which is as wide as it is. */
-static int widest_degrees(const struct cupola_rig *rig, int output, int cells_max,
-                          const struct plan_sizing *sizing)
+static int widest_degrees(const struct planning *planning, int output)
 {
-    const struct cupola_lens *lens = &rig->outputs[output].lens;
+    const struct cupola_lens *lens = &planning->dome->rig.outputs[output].lens;
     int can = 0, cannot = (int)ceil(lens->fov_rad * (180 / pi) - 1e-9);
     if (lens->model == CUPOLA_LENS_TABLE)
         return 0;
     while (cannot - can > 1) {
         int middle = (can + cannot) / 2;
-        if (can_serve(rig, output, middle * (pi / 180), cells_max, sizing))
+        if (can_serve(planning, output, middle * (pi / 180)))
             can = middle;
         else
             cannot = middle;
@@ -74,14 +69,21 @@ static int widest_degrees(const struct cupola_rig *rig, int output, int cells_ma
     return can;
 }
 
-int plan_refuse_lens(const cupola_dome *dome, const struct plan_rays *rays, int cells_max,
-                     const struct plan_sizing *sizing, struct cupola_error *error)
+/* The lens because of which not even CUPOLA_VIEWS_MAX rotated views reach every ray. */
+static int refuse_lens(const struct planning *planning, struct cupola_error *error)
 {
-    int output = steepest_output(rays);
-    const struct cupola_lens *lens = &dome->rig.outputs[output].lens;
-    const char *name = cupola_lens_model_name((int)lens->model);
+    enum { CELLS = 32 };
+    struct plan_rays rays;
+    const cupola_dome *dome = planning->dome;
+    int cells = (int)(CELLS * sqrt(dome->rig.output_count));
+    int status = plan_rays_gather(dome, dome->rig.eye_m, cells, &rays, error);
+    if (status != CUPOLA_OK)
+        return status;
+    int output = steepest_output(&rays);
+    plan_rays_release(&rays);
+    const char *name = cupola_lens_model_name((int)dome->rig.outputs[output].lens.model);
     double fov_rad = dome->projectors[output].lens.half_fov * 2;
-    int allowed = widest_degrees(&dome->rig, output, cells_max, sizing);
+    int allowed = widest_degrees(planning, output);
     if (allowed == 0)
         return error_set(
             error, CUPOLA_ERROR_LAYOUT,
@@ -93,4 +95,35 @@ int plan_refuse_lens(const cupola_dome *dome, const struct plan_rays *rays, int 
                      "steep about its axis for %d views; allowed here: up to %.4g rad (%d degrees)",
                      name, output, RAD_AND_DEG(fov_rad), CUPOLA_VIEWS_MAX, allowed * (pi / 180),
                      allowed);
+}
+
+/* The largest angle of a ray to the better one of the two axes that one plane may have. */
+static double farthest_of_plane(const struct plan_samples *samples)
+{
+    double to_host = 1, to_mean = 1;
+    for (int i = 0; i < samples->count; i++) {
+        to_host = smaller(to_host, -samples->list[i].at[2]);
+        to_mean = smaller(to_mean, dot3(samples->list[i].at, samples->mean));
+    }
+    return acos(larger(larger(to_host, to_mean), -1));
+}
+
+int plan_refuse(const struct planning *planning, struct cupola_error *error)
+{
+    const struct cupola_plan_params *params = &planning->params;
+    if (params->layout == CUPOLA_LAYOUT_ASYMMETRIC)
+        return error_set(error, CUPOLA_ERROR_LAYOUT,
+                         "layout asymmetric would have to reach rays %.4g degrees off its axis; "
+                         "allowed: up to 80; layout rotated can",
+                         farthest_of_plane(&planning->fine) * (180 / pi));
+    struct planning again = *planning;
+    for (int enough = params->views + 1; params->views && enough <= CUPOLA_VIEWS_MAX; enough++)
+        if (planning_solve(&again, CUPOLA_LAYOUT_ROTATED, enough) == CUPOLA_OK)
+            return error_set(error, CUPOLA_ERROR_LAYOUT,
+                             "layout rotated with %d view%s cannot reach every ray within 80 "
+                             "degrees of a view's axis where the eye sees %.4g degrees; allowed: "
+                             "at least %d views",
+                             params->views, params->views == 1 ? "" : "s",
+                             2 * planning->fine.half_rad * (180 / pi), enough);
+    return refuse_lens(planning, error);
 }

@@ -50,7 +50,7 @@ void lens_ray(const struct projector *projector, const double place[2], struct v
     double x = place[0], y = place[1];
     double r = fmin(hypot(x, y), 1);
     double angle = lens_angle(&projector->lens, r);
-    double slope = lens_angle_slope(&projector->lens, r);
+    double slope = lens_angle_slope(&projector->lens, r, angle);
     double s = r > 1e-9 ? sin(angle) / r : slope;
     double bend = r > 1e-5 ? (cos(angle) * slope - s) / (r * r) : 0;
     struct varying lens_frame = {

@@ -66,6 +66,11 @@ static void random_point(uint64_t *seed, const struct object *object, bool is_sp
     point[3] = 1.0;
 }
 
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 static void times(const float m[16], const double v[4], double out[4])
 {
     for (int i = 0; i < 4; i++) {
@@ -103,8 +108,36 @@ static int sees(const struct cupola_camera *camera, const struct object *object,
     return cupola_camera_sees_box(camera, least, most);
 }
 
-static void count(const struct cupola_camera *camera, const struct object *object, bool is_sphere,
-                  float part, uint64_t *seed, struct tally *tally)
+/* Whether a pixel may sample a view at a point, itself or by the taps of a filter. */
+static bool is_sampled(const cupola_plan *plan, int view, const double point[4])
+{
+    const cupola_dome *dome = cupola_plan_dome(plan);
+    const struct cupola_rig *rig = cupola_dome_rig(dome);
+    const struct cupola_view *v = cupola_plan_view(plan, view);
+    double eye[3], ray[3], base[2], step[2];
+    cupola_dome_to_camera(dome, rig->eye_m, eye);
+    for (int i = 0; i < 3; i++)
+        ray[i] = point[i] - rig->units_per_metre * eye[i];
+    double depth = -dot(v->rotation + 6, ray);
+    base[0] = dot(v->rotation, ray) / depth;
+    base[1] = dot(v->rotation + 3, ray) / depth;
+    step[0] = 0.999 * (v->right - v->left) / v->rect.width;
+    step[1] = 0.999 * (v->top - v->bottom) / v->rect.height;
+    for (int k = 0; k < 4; k++) {
+        double near_by[3];
+        for (int i = 0; i < 3; i++)
+            near_by[i] = v->rotation[i] * (base[0] + (k & 1 ? step[0] : -step[0])) +
+                         v->rotation[3 + i] * (base[1] + (k & 2 ? step[1] : -step[1])) -
+                         v->rotation[6 + i];
+        if (cupola_plan_select(plan, near_by) == view)
+            return true;
+    }
+    return cupola_plan_select(plan, ray) == view;
+}
+
+static void count(const cupola_plan *plan, int view, const struct cupola_camera *camera,
+                  const struct object *object, bool is_sphere, float part, uint64_t *seed,
+                  struct tally *tally)
 {
     unsigned int all_beyond = 63;
     bool shown = false;
@@ -112,7 +145,7 @@ static void count(const struct cupola_camera *camera, const struct object *objec
         double point[4];
         random_point(seed, object, is_sphere, i, point);
         unsigned int sides = sides_beyond(camera, point);
-        shown |= sides == 0;
+        shown |= sides == 0 && is_sampled(plan, view, point);
         all_beyond &= sides;
     }
     int seen = sees(camera, object, is_sphere, part);
@@ -137,7 +170,7 @@ static struct tally tally_of(uint64_t seed, bool is_sphere, float part)
             assert_int_equal(cupola_plan_camera(plan, k, &depth, &camera, NULL), CUPOLA_OK);
             for (int n = 0; n < OBJECTS; n++) {
                 struct object object = random_object(&seed, unit, is_sphere);
-                count(&camera, &object, is_sphere, part, &seed, &tally);
+                count(plan, k, &camera, &object, is_sphere, part, &seed, &tally);
             }
         }
         cupola_plan_destroy(&plan);
@@ -187,6 +220,7 @@ static void points_on_the_border_of_a_view_are_seen(void **state)
         const struct cupola_view *view = cupola_plan_view(plan, k);
         struct cupola_camera camera;
         assert_int_equal(cupola_plan_camera(plan, k, NULL, &camera, NULL), CUPOLA_OK);
+        camera.border_count = 0; /* the frustum alone */
         for (int n = 0; n < 4000; n++) {
             double far_off = random_between(&seed, 0.2, 900.0);
             double a = n % 2 ? view->left : random_between(&seed, view->left, view->right);
@@ -199,6 +233,55 @@ static void points_on_the_border_of_a_view_are_seen(void **state)
             assert_int_equal(cupola_camera_sees_box(&camera, point, point), 1);
         }
     }
+    cupola_plan_destroy(&plan);
+}
+
+/* One texel inside of its border a view is sampled by the taps of its neighbour's last pixels. */
+static void borders_leave_room_for_the_guard_band_and_no_more(void **state)
+{
+    (void)state;
+    uint64_t seed = 504;
+    struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 140.0, 256);
+    cupola_plan *plan = plan_of(&rig, NULL);
+    int seen[3] = {0}, asked[3] = {0};
+    for (int n = 0; n < 20000; n++) {
+        struct cupola_camera camera;
+        double ray[3], across[3], slope = 0.0;
+        random_in_ball(&seed, 1.0, ray);
+        int k = cupola_plan_select(plan, ray), w = random_int(&seed, 0, 7);
+        if (w == k || ray[2] > -0.3)
+            continue;
+        /* Onto the border between k and w, and some texels beyond it. */
+        const struct cupola_view *v = cupola_plan_view(plan, k), *other = cupola_plan_view(plan, w);
+        for (int i = 0; i < 3; i++)
+            across[i] = v->selector[i] - other->selector[i];
+        for (int i = 0; i < 3; i++)
+            slope += across[i] * across[i];
+        double ahead = dot(across, ray) / slope;
+        for (int i = 0; i < 3; i++)
+            ray[i] -= ahead * across[i];
+        if (cupola_plan_select(plan, ray) != k && cupola_plan_select(plan, ray) != w)
+            continue;
+        double depth = -dot(v->rotation + 6, ray);
+        double step_u = copysign((v->right - v->left) / v->rect.width, dot(v->rotation, across));
+        double step_v =
+            copysign((v->top - v->bottom) / v->rect.height, dot(v->rotation + 3, across));
+        assert_int_equal(cupola_plan_camera(plan, k, NULL, &camera, NULL), CUPOLA_OK);
+        memset(camera.planes, 0, sizeof camera.planes);
+        for (int step = 0; step < 3; step++) {
+            float point[3];
+            for (int i = 0; i < 3; i++)
+                point[i] =
+                    (float)(ray[i] / depth - (2.0 * step - 0.2) * (step_u * v->rotation[i] +
+                                                                   step_v * v->rotation[3 + i]));
+            asked[step]++;
+            seen[step] += cupola_camera_sees_sphere(&camera, point, 0.0f);
+        }
+    }
+    check_at_least(asked[0], 1000);
+    assert_int_equal(seen[0], asked[0]); /* 0.2 texels inside */
+    assert_int_equal(seen[1], asked[1]); /* 1.8 beyond, of 2 */
+    assert_int_equal(seen[2], 0);        /* 3.8 beyond */
     cupola_plan_destroy(&plan);
 }
 
@@ -226,6 +309,7 @@ static void what_makes_no_sense_is_seen_and_null_is_refused(void **state)
     assert_int_equal(cupola_camera_sees_box(NULL, ahead, more), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_camera_sees_box(&camera, NULL, more), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_camera_sees_box(&camera, ahead, NULL), CUPOLA_ERROR_ARGUMENT);
+    camera.border_count = 0;
     for (int p = 0; p < 6; p++)
         for (int i = 0; i < 4; i++)
             camera.planes[p][i] = i == 3 ? 1.0f : 0.0f;
@@ -240,6 +324,7 @@ int main(void)
         cmocka_unit_test(a_box_is_never_left_out_where_a_point_of_it_shows),
         cmocka_unit_test(objects_taken_for_smaller_than_they_are_are_caught),
         cmocka_unit_test(points_on_the_border_of_a_view_are_seen),
+        cmocka_unit_test(borders_leave_room_for_the_guard_band_and_no_more),
         cmocka_unit_test(what_makes_no_sense_is_seen_and_null_is_refused),
     };
     return cmocka_run_group_tests(camera_cull, NULL, NULL);

@@ -280,7 +280,8 @@ static void impossible_distances_are_refused_and_change_nothing(void **state)
         assert_non_null(strstr(error.message, "allowed"));
     }
     assert_int_equal(cupola_plan_camera(plan, -1, NULL, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
-    assert_int_equal(cupola_plan_camera(plan, 2, NULL, &camera, NULL), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_plan_camera(plan, cupola_plan_view_count(plan), NULL, &camera, NULL),
+                     CUPOLA_ERROR_ARGUMENT);
     assert_memory_equal(&camera, &before, sizeof camera);
     cupola_plan_destroy(&plan);
 }

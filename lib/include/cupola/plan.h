@@ -26,20 +26,44 @@ extern "C" {
 
 typedef struct cupola_plan cupola_plan;
 
-enum { CUPOLA_VIEWS_MAX = 8 /* views in a plan */ };
+enum {
+    CUPOLA_VIEWS_MAX = 8,   /* views in a plan */
+    CUPOLA_FAMILY_MAX = 32, /* bytes of the name of a plan's family */
+};
 
 /* How the views stand to each other, see above. */
 enum cupola_layout {
-    CUPOLA_LAYOUT_AUTO = 0,   /* asymmetric where it reaches every ray, else rotated */
+    CUPOLA_LAYOUT_AUTO = 0,   /* the cheaper one of those that reach every ray */
     CUPOLA_LAYOUT_ASYMMETRIC, /* one orientation */
     CUPOLA_LAYOUT_ROTATED,    /* an orientation for each view */
+};
+
+/* What a plan is to save. */
+enum cupola_goal {
+    CUPOLA_GOAL_FILL = 0, /* shaded texels: scenes whose fragments are dear */
+    CUPOLA_GOAL_VERTICES, /* objects drawn into more than one view: scenes of many triangles */
+};
+
+/*
+ * What things cost, in the price of shading one texel for every output pixel: with `view` 0.005 a
+ * view costs as much as 0.005 texels shaded per output pixel. All zero is what suits most hosts;
+ * what costs nothing has a very small price. 0 or above, up to 1e6.
+ */
+struct cupola_cost {
+    double view;            /* of each view: clear, mask, change of state; 0: 0.005 */
+    double texel_allocated; /* of a texel of the views' rectangles, shaded or not, as a part of the
+                             * price of shading it: memory, clear, mask; 0: 0.05 */
+    double vertices;        /* of drawing all that is round the eye once, in all directions, where
+                             * the host culls by cupola_camera_sees_sphere or _box and an object's
+                             * radius is some 2 degrees; 0: nothing for CUPOLA_GOAL_FILL, 100 for
+                             * CUPOLA_GOAL_VERTICES */
 };
 
 /* What is wished of a plan. All zero is what most hosts want. */
 struct cupola_plan_params {
     enum cupola_layout layout; /* 0: auto */
-    /* 1 to 8. 0: by the paper, 2 where the eye sees up to 90 degrees, 3 up to 140, 4 beyond, and
-     * more only where so few cannot reach every ray. */
+    /* 1 to 8. 0: as many as cost least; with the asymmetric layout by the paper, 2 where the eye
+     * sees up to 90 degrees, 3 up to 140, 4 beyond. */
     int views;
     /* Texels per output pixel along a line, 1/16 to 16: at 1 no output pixel ever gets less than
      * one texel in any direction ("no loss"), 2 is four times the texels. 0: 1. */
@@ -51,7 +75,15 @@ struct cupola_plan_params {
     /* Puts each view's rotation into its projection matrix instead of its view matrix, so that
      * lighting computed in eye space is the same in every view. */
     bool rotation_in_projection;
-    int max_texture_px; /* largest side of the atlas, 64 to 32768; 0: 16384 */
+    int max_texture_px;    /* largest side of the atlas, 64 to 32768; 0: 16384 */
+    enum cupola_goal goal; /* 0: fill */
+    struct cupola_cost cost;
+    /* The host does not lay the mask of what no pixel samples: whole rectangles are shaded. */
+    bool unmasked;
+    /* Of a sphere round the rig's eye in which cupola_plan_set_eye may move it, m: sizes and
+     * densities suffice for every eye in it. The sphere lies within the screen, 1/10 of its radius
+     * from it at least. 0: the eye rests. */
+    double head_radius_m;
 };
 
 /* A rectangle of pixels or texels. */
@@ -85,13 +117,20 @@ struct cupola_plan_report {
     double texels_allocated_per_pixel; /* of the whole atlas */
     double texels_shaded_per_pixel;    /* of the views, guard bands included */
     double texels_sampled_per_pixel;   /* of the part of the views that the pixels cover */
+    double texels_masked_per_pixel;    /* of that with a guard band round it, which is what a mask
+                                        * leaves to be shaded; estimated to some 2 % */
+    double cost;                       /* by struct cupola_cost, per pixel */
     double least_texels_per_pixel; /* over all pixels and directions, along a line; 1 is no loss */
     double seen_fov_rad;           /* full opening of the rays round their mean direction */
-    char reason[256];              /* one sentence */
+    /* How the views lie: of rotated ones the numbers in each ring round the mean seen direction,
+     * from the innermost ("1+6"); of asymmetric ones columns and rows ("3x1"). */
+    char family[CUPOLA_FAMILY_MAX];
+    char reason[256]; /* one sentence */
 };
 
 /*
- * Plans the views for a dome and the eye of its rig. Nothing of the dome is kept.
+ * Plans the views for a dome and the eye of its rig. Nothing of the dome is kept. The same wishes
+ * give the same plan.
  *
  * params   NULL: all zero
  * plan     out: to be given to cupola_plan_destroy; untouched on failure
@@ -114,6 +153,22 @@ CUPOLA_API int cupola_plan_create(const cupola_dome *dome, const struct cupola_p
  * since    0.1
  */
 CUPOLA_API void cupola_plan_destroy(cupola_plan **plan);
+
+/*
+ * Moves the eye of a plan within the sphere that it was planned for. The views' base rectangles and
+ * cameras follow and the eye of cupola_plan_dome is the new one; rotations, selectors, densities
+ * and places in the atlas stay as they are. Allocates nothing and takes a fraction of a
+ * millisecond. A cupola_gl keeps a copy of the plan that it was made from, which does not follow.
+ *
+ * eye_m    dome frame, at most head_radius_m from the eye of the rig that was planned for
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT for NULL or an eye outside of the sphere; the plan is as it was
+ * thread   any, but no other may use the plan meanwhile
+ * since    0.1
+ */
+CUPOLA_API int cupola_plan_set_eye(cupola_plan *plan, const double eye_m[3],
+                                   struct cupola_error *error);
 
 /*
  * The number of views of a plan.
@@ -185,6 +240,11 @@ struct cupola_camera {
     /* Left, right, bottom, top, near, far: a x + b y + c z + d >= 0 inside; (a, b, c) has unit
      * length; host's camera frame, scene units. Without a far end the last is (0, 0, 0, 1). */
     float planes[6][4];
+    /* The same through the eye, towards the other views: on the far side of one of them no pixel
+     * samples this view, but for a guard band, which they leave room for. Views overlap, so that a
+     * host that culls by these too draws far fewer objects twice. */
+    float borders[7][4];
+    int border_count; /* views less 1 */
 };
 
 /*
@@ -222,10 +282,11 @@ CUPOLA_API int cupola_plan_camera(const cupola_plan *plan, int index,
 
 /*
  * Whether a view may see something of a sphere: culling on the CPU, once per view and object. It
- * never leaves out what the view shows, guard band included; a sphere that passes by an edge or a
- * corner of the frustum may count as seen.
+ * never leaves out what pixels sample of the view, guard band included; a sphere that passes by an
+ * edge or a corner of the frustum may count as seen.
  *
- * camera   of a view; its planes are asked, so a plane of (0, 0, 0, 1) leaves nothing out
+ * camera   of a view; its planes and borders are asked, so a plane of (0, 0, 0, 1) leaves nothing
+ *          out
  * center   {x, y, z}, host's camera frame, scene units
  * radius   scene units; below 0: 0. What holds something that is not a number, or no end, is seen
  * returns  1: it may be seen; 0: not a point of it is; CUPOLA_ERROR_ARGUMENT for NULL

@@ -1,0 +1,44 @@
+/* Between the two halves of the exact fit: plan_exact.c looks at cells, plan_exact_fit.c at views. */
+#ifndef PLAN_EXACT_H
+#define PLAN_EXACT_H
+
+#include "plan.h"
+
+/* A traced place of an image. */
+struct plan_corner {
+    struct plan_sample ray;
+    /* By how much the selector's product is below the largest, and the change of that per pixel. */
+    double gap[CUPOLA_VIEWS_MAX], slope[CUPOLA_VIEWS_MAX];
+    double inside_px; /* of what is lit */
+};
+
+/* What is known so far. */
+struct fitting {
+    const cupola_dome *dome;
+    struct plan_exact *exact;
+    bool upright; /* views do not roll */
+    bool sampled; /* views that no pixel samples are left out */
+    double eye_m[3];
+    int output;
+    double leaf_px;
+    struct plan_metric metric[CUPOLA_VIEWS_MAX]; /* in the frame of the view's rotation */
+    double density[CUPOLA_VIEWS_MAX][2];         /* the same, as texels per unit */
+    double excess[CUPOLA_VIEWS_MAX];             /* the largest yet */
+    double core[CUPOLA_VIEWS_MAX][4];            /* the widest yet */
+    double least_cosine[CUPOLA_VIEWS_MAX];       /* between axis and rays */
+};
+
+/* A cell of an image, its corners counter-clockwise from the lower left. */
+struct plan_square {
+    double x_px, y_px, size_px;
+    const struct plan_corner *corners[4];
+};
+
+void plan_corner_trace(struct fitting *fitting, double x_px, double y_px,
+                       struct plan_corner *corner);
+/* Learns what a cell has to say, dividing it as far as that matters. */
+void plan_square_visit(struct fitting *fitting, const struct plan_square *cell);
+/* Adds what a cell covers to the exact fit's pixels and areas; plan_area.c. */
+void plan_square_add(struct fitting *fitting, const struct plan_square *cell);
+
+#endif

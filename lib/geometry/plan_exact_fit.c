@@ -1,0 +1,372 @@
+/*
+ * The exact fit, view by view: the metric that the grid's own corners ask for, nearly all of the
+ * truth; by how much the rest of the pixels exceeds it; and the same for every place of the eye.
+ */
+#include <math.h>
+#include <stdlib.h>
+
+#include "plan_exact.h"
+#include "vector.h"
+
+/* What a leaf's places may have over its corners. */
+static const double metric_margin = 1.0004;
+
+/* Beyond it the search's samples were wrong about the reach. */
+static const double least_cosine_allowed = 0.139; /* 82 degrees */
+
+/* The lit part of an output's image as square cells. */
+struct image_grid {
+    double left, bottom, size_px;
+    int columns, rows;
+    struct plan_corner *corners;
+};
+
+static bool make_grid(struct fitting *fitting, int cells, struct image_grid *grid)
+{
+    struct plan_part part = plan_lit_part(&fitting->dome->projectors[fitting->output]);
+    double width = part.sides[1] - part.sides[0], height = part.sides[3] - part.sides[2];
+    grid->left = part.sides[0];
+    grid->bottom = part.sides[2];
+    fitting->leaf_px = larger(width, height) / 512;
+    grid->size_px = fitting->leaf_px;
+    while (grid->size_px * cells < larger(width, height))
+        grid->size_px *= 2;
+    grid->columns = (int)ceil(width / grid->size_px);
+    grid->rows = (int)ceil(height / grid->size_px);
+    size_t count = (size_t)(grid->columns + 1) * (size_t)(grid->rows + 1);
+    grid->corners = malloc(count * sizeof *grid->corners);
+    if (!grid->corners)
+        return false;
+    for (int row = 0; row <= grid->rows; row++)
+        for (int column = 0; column <= grid->columns; column++)
+            plan_corner_trace(fitting, grid->left + column * grid->size_px,
+                              grid->bottom + row * grid->size_px,
+                              &grid->corners[row * (grid->columns + 1) + column]);
+    return true;
+}
+
+static struct plan_square square_of(const struct image_grid *grid, int column, int row)
+{
+    const struct plan_corner *lower = grid->corners + row * (grid->columns + 1) + column;
+    const struct plan_corner *upper = lower + grid->columns + 1;
+    return (struct plan_square){grid->left + column * grid->size_px,
+                                grid->bottom + row * grid->size_px,
+                                grid->size_px,
+                                {lower, lower + 1, upper + 1, upper}};
+}
+
+static void visit_grid(struct fitting *fitting, const struct image_grid *grid)
+{
+    for (int row = 0; row < grid->rows; row++)
+        for (int column = 0; column < grid->columns; column++) {
+            struct plan_square cell = square_of(grid, column, row);
+            plan_square_visit(fitting, &cell);
+        }
+}
+
+/* Footprints of a view and where they meet its base plane. */
+struct footprints {
+    struct plan_metric *metrics;
+    double (*base)[2];
+    int count;
+};
+
+/* Whether the middle of one of the four pixels round a place is lit and falls to the view. */
+static bool serves_pixel(const struct fitting *fitting, double x_px, double y_px, int v)
+{
+    for (int i = 0; i < 4; i++) {
+        double x = floor(x_px - (i & 1)) + 0.5, y = floor(y_px - (i >> 1)) + 0.5;
+        struct cupola_ray ray;
+        if (cupola_dome_ray(fitting->dome, fitting->output, NULL, x, y, &ray) <= 0)
+            continue;
+        double own = dot3(fitting->exact->views[v].selector, ray.direction);
+        bool best = true;
+        for (int w = 0; w < fitting->exact->count; w++) {
+            double product = dot3(fitting->exact->views[w].selector, ray.direction);
+            best = best && (w < v ? product < own : product <= own);
+        }
+        if (best)
+            return true;
+    }
+    return false;
+}
+
+/* Collects what the grids' corners ask of a view. Returns whether any pixel falls to it. */
+static bool collect(struct fitting *fitting, const struct image_grid *grids, int v,
+                    struct footprints *found)
+{
+    bool serves = false;
+    found->count = 0;
+    for (int g = 0; g < fitting->dome->rig.output_count; g++) {
+        const struct image_grid *grid = &grids[g];
+        fitting->output = g;
+        for (int row = 0; row <= grid->rows; row++)
+            for (int column = 0; column <= grid->columns; column++) {
+                const struct plan_corner *corner =
+                    &grid->corners[row * (grid->columns + 1) + column];
+                if (corner->inside_px < -PLAN_HALF_DIAGONAL_PX || corner->gap[v] > 0)
+                    continue;
+                plan_footprint(fitting->exact->views[v].rotation, &corner->ray,
+                               &found->metrics[found->count], found->base[found->count]);
+                found->count++;
+                serves = serves || serves_pixel(fitting, grid->left + column * grid->size_px,
+                                                grid->bottom + row * grid->size_px, v);
+            }
+    }
+    return serves;
+}
+
+/* Where roll makes no difference to the texels that pixels sample, it may to the rectangle. */
+static double smallest_roll(const struct footprints *found)
+{
+    enum { ROLLS = 24 };
+    double best = 0, least = HUGE_VAL;
+    for (int i = 0; i < ROLLS; i++) {
+        double c = cos(0.5 * pi * i / ROLLS), s = sin(0.5 * pi * i / ROLLS);
+        double bounds[4] = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
+        for (int k = 0; k < found->count; k++) {
+            double u = c * found->base[k][0] + s * found->base[k][1];
+            double w = c * found->base[k][1] - s * found->base[k][0];
+            bounds[0] = smaller(bounds[0], u);
+            bounds[1] = larger(bounds[1], u);
+            bounds[2] = smaller(bounds[2], w);
+            bounds[3] = larger(bounds[3], w);
+        }
+        double area = (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]);
+        if (area < 0.999 * least) {
+            least = area;
+            best = 0.5 * pi * i / ROLLS;
+        }
+    }
+    return best;
+}
+
+/* Turns a rotation by an angle from right to up. */
+static void roll_by(double angle, double rotation[9])
+{
+    double c = cos(angle), s = sin(angle);
+    for (int i = 0; i < 3; i++) {
+        double right = rotation[i], up = rotation[3 + i];
+        rotation[i] = c * right + s * up;
+        rotation[3 + i] = c * up - s * right;
+    }
+}
+
+/* Roll, metric and the beginning of the rectangle. */
+static void begin_view(struct fitting *fitting, double density, int v, struct footprints *found)
+{
+    static const double round = 1.004;
+    struct plan_exact_view *view = &fitting->exact->views[v];
+    struct plan_metric *x = &fitting->metric[v];
+    double turn[2];
+    if (fitting->upright) {
+        *x = plan_enclose_upright(found->metrics, found->count);
+    } else {
+        *x = plan_enclose(found->metrics, found->count);
+        struct plan_metric rolled = *x;
+        double rotation[9];
+        memcpy(rotation, view->rotation, sizeof rotation);
+        plan_roll_onto(&rolled, rotation, turn);
+        if (rolled.uu < round * rolled.vv) {
+            roll_by(smallest_roll(found), view->rotation);
+            rolled.vv = rolled.uu;
+        } else {
+            memcpy(view->rotation, rotation, sizeof rotation);
+        }
+        *x = rolled;
+    }
+    fitting->density[v][0] = density * sqrt(x->uu);
+    fitting->density[v][1] = density * sqrt(x->vv);
+    fitting->excess[v] = 1;
+    fitting->least_cosine[v] = 1;
+}
+
+static void begin_cores(struct fitting *fitting)
+{
+    for (int v = 0; v < fitting->exact->count; v++) {
+        fitting->core[v][0] = fitting->core[v][2] = HUGE_VAL;
+        fitting->core[v][1] = fitting->core[v][3] = -HUGE_VAL;
+    }
+}
+
+static void add_areas(struct fitting *fitting, const struct image_grid *grids)
+{
+    for (int g = 0; g < fitting->dome->rig.output_count; g++) {
+        fitting->output = g;
+        for (int row = 0; row < grids[g].rows; row++)
+            for (int column = 0; column < grids[g].columns; column++) {
+                struct plan_square cell = square_of(&grids[g], column, row);
+                plan_square_add(fitting, &cell);
+            }
+    }
+}
+
+/* Traces the grids of all outputs. Returns the number of corners, 0 where memory is short. */
+static size_t make_grids(struct fitting *fitting, int cells, struct image_grid *grids)
+{
+    size_t corners = 0;
+    int outputs = fitting->dome->rig.output_count;
+    for (fitting->output = 0; fitting->output < outputs; fitting->output++) {
+        struct image_grid *grid = &grids[fitting->output];
+        if (!make_grid(fitting, (int)(cells / sqrt(outputs)), grid))
+            return 0;
+        corners += (size_t)(grid->columns + 1) * (size_t)(grid->rows + 1);
+    }
+    return corners;
+}
+
+static void release_grids(struct image_grid *grids)
+{
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        free(grids[i].corners);
+}
+
+static void visit_grids(struct fitting *fitting, const struct image_grid *grids)
+{
+    int outputs = fitting->dome->rig.output_count;
+    for (fitting->output = 0; fitting->output < outputs; fitting->output++)
+        visit_grid(fitting, &grids[fitting->output]);
+}
+
+/* Takes out a view; what fell to it falls to the others. */
+static void drop_view(struct plan_exact *exact, int v)
+{
+    exact->count--;
+    for (; v < exact->count; v++)
+        exact->views[v] = exact->views[v + 1];
+}
+
+/* The rig's own eye. Returns the index of a view that no pixel falls to, or the number of views. */
+static int fit_middle(struct fitting *fitting, double density, const struct image_grid *grids,
+                      struct footprints *found)
+{
+    begin_cores(fitting);
+    for (int v = 0; v < fitting->exact->count; v++) {
+        bool serves = collect(fitting, grids, v, found);
+        if (found->count == 0 || (fitting->sampled && !serves && fitting->exact->count > 1))
+            return v;
+        begin_view(fitting, density, v, found);
+    }
+    visit_grids(fitting, grids);
+    return fitting->exact->count;
+}
+
+static int begin_fit(struct fitting *fitting, double density)
+{
+    enum { CELLS = 96 };
+    struct image_grid grids[CUPOLA_OUTPUTS_MAX] = {{.corners = NULL}};
+    struct footprints found = {NULL, NULL, 0};
+    int status = CUPOLA_ERROR_MEMORY, empty = -1;
+    size_t corners = make_grids(fitting, CELLS, grids);
+    if (corners > 0) {
+        found.metrics = malloc(corners * sizeof *found.metrics);
+        found.base = malloc(corners * sizeof *found.base);
+    }
+    if (found.metrics && found.base) {
+        empty = fit_middle(fitting, density, grids, &found);
+        status = CUPOLA_OK;
+    }
+    if (status == CUPOLA_OK && empty < fitting->exact->count) {
+        drop_view(fitting->exact, empty);
+        status = fitting->exact->count > 0 ? 1 : CUPOLA_ERROR_LAYOUT;
+    }
+    if (status == CUPOLA_OK)
+        add_areas(fitting, grids);
+    for (int v = 0; v < fitting->exact->count && status == CUPOLA_OK; v++)
+        if (fitting->least_cosine[v] < least_cosine_allowed)
+            status = CUPOLA_ERROR_LAYOUT;
+    release_grids(grids);
+    free(found.metrics);
+    free(found.base);
+    return status;
+}
+
+/* What other eyes ask for over the middle one. */
+struct demand {
+    double excess[CUPOLA_VIEWS_MAX], extent[CUPOLA_VIEWS_MAX][2];
+};
+
+static int fit_other_eyes(struct fitting *fitting, double head_radius_m, struct demand *demand)
+{
+    enum { CELLS = 48 };
+    for (int e = 1; e < PLAN_EYES; e++) {
+        struct image_grid grids[CUPOLA_OUTPUTS_MAX] = {{.corners = NULL}};
+        plan_eye_place(fitting->dome->rig.eye_m, head_radius_m, e, fitting->eye_m);
+        begin_cores(fitting);
+        for (int v = 0; v < fitting->exact->count; v++)
+            fitting->excess[v] = 0;
+        bool done = make_grids(fitting, CELLS, grids) > 0;
+        if (done)
+            visit_grids(fitting, grids);
+        release_grids(grids);
+        if (!done)
+            return CUPOLA_ERROR_MEMORY;
+        for (int v = 0; v < fitting->exact->count; v++) {
+            if (fitting->least_cosine[v] < least_cosine_allowed)
+                return CUPOLA_ERROR_LAYOUT;
+            demand->excess[v] = larger(demand->excess[v], fitting->excess[v]);
+            for (int axis = 0; axis < 2; axis++)
+                demand->extent[v][axis] =
+                    larger(demand->extent[v][axis],
+                           fitting->core[v][2 * axis + 1] - fitting->core[v][2 * axis]);
+        }
+    }
+    return CUPOLA_OK;
+}
+
+/*
+ * Between the eyes looked at a linear function reaches at most 1.225 of what it has at them: the
+ * middle between an axis and a diagonal is 35 degrees from either.
+ */
+static double reach_between(double middle, double others)
+{
+    static const double between_eyes = 1.25;
+    return middle + between_eyes * larger(others - middle, 0);
+}
+
+static void conclude(const struct fitting *fitting, const struct demand *demand, double density,
+                     struct plan_exact *exact)
+{
+    for (int v = 0; v < exact->count; v++) {
+        struct plan_exact_view *view = &exact->views[v];
+        double excess = reach_between(fitting->excess[v], demand->excess[v]) * metric_margin;
+        memcpy(view->core, fitting->core[v], sizeof view->core);
+        for (int axis = 0; axis < 2; axis++) {
+            view->density[axis] = fitting->density[v][axis] * sqrt(excess);
+            view->extent[axis] = reach_between(view->core[2 * axis + 1] - view->core[2 * axis],
+                                               demand->extent[v][axis]);
+        }
+        view->farthest_rad = acos(fitting->least_cosine[v]);
+        view->least = density * sqrt(metric_margin);
+    }
+}
+
+int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
+                   const struct cupola_plan_params *params, bool sampled, struct plan_exact *exact)
+{
+    double density = params->density;
+    struct demand demand = {.excess = {0}};
+    struct fitting fitting = {.dome = dome,
+                              .exact = exact,
+                              .upright = choice->layout == CUPOLA_LAYOUT_ASYMMETRIC,
+                              .sampled = sampled};
+    int status = 1;
+    *exact = (struct plan_exact){.count = choice->count};
+    for (int v = 0; v < choice->count; v++) {
+        memcpy(exact->views[v].rotation, choice->views[v].rotation,
+               sizeof exact->views[v].rotation);
+        memcpy(exact->views[v].selector, choice->views[v].selector,
+               sizeof exact->views[v].selector);
+    }
+    memcpy(fitting.eye_m, dome->rig.eye_m, sizeof fitting.eye_m);
+    while (status == 1)
+        status = begin_fit(&fitting, density);
+    struct fitting middle = fitting;
+    if (status == CUPOLA_OK && params->head_radius_m > 0)
+        status = fit_other_eyes(&fitting, params->head_radius_m, &demand);
+    for (int v = 0; v < exact->count; v++)
+        middle.least_cosine[v] = smaller(middle.least_cosine[v], fitting.least_cosine[v]);
+    if (status == CUPOLA_OK)
+        conclude(&middle, &demand, density, exact);
+    return status;
+}
