@@ -1,6 +1,6 @@
 /*
- * What a candidate costs, on the samples: the shaded texels of each view, what is allocated, a price
- * for each view and one for the objects that are drawn into more than one.
+ * What a candidate costs, on the samples: the shaded texels of each view, what is allocated, a
+ * price for each view and one for the objects that are drawn into more than one.
  */
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
  * The least texel metric of a view: the Loewner-John ellipse of its footprints.
  *
  * A pixel with footprint G = (J J^T)^-1 gets at least one texel in every direction if X - G is
- * positive semidefinite, X = R^T diag(su, sv)^2 R being the metric of the view's texels with roll R.
+ * positive semidefinite, X = R^T diag(su, sv)^2 R the metric of the view's texels with roll R.
  * That is: the ellipse of X holds that of G. The X of least determinant is the smallest ellipse
  * round the origin that holds all others; at most three points of them lie on it. Round by round
  * the farthest point outside joins the three, and the smallest ellipse through two or three of the

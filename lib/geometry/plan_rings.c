@@ -26,7 +26,7 @@ static bool add_place(const cupola_dome *dome, const double eye_m[3], int output
     return false;
 }
 
-/* How far along a half-line from the circle's middle the image is lit; the middle itself must be. */
+/* How far from the circle's middle, which must be lit, the image is lit. */
 static double lit_radius(const cupola_dome *dome, const double eye_m[3], int output, double azimuth)
 {
     const struct projector *projector = &dome->projectors[output];

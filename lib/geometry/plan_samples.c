@@ -1,7 +1,8 @@
 /*
  * Samples for the search: in rings where nearly all of the image circle is lit, else the corners of
- * the grid, each with its part of the pixels and of the solid angle of the cells round it. Eyes on the sphere round the rig's add samples without weight:
- * what they see constrains densities and rectangles but costs nothing by itself.
+ * the grid, each with its part of the pixels and of the solid angle of the cells round it. Eyes on
+ * the sphere round the rig's add samples without weight: what they see constrains densities and
+ * rectangles but costs nothing by itself.
  */
 #include <math.h>
 #include <stdlib.h>

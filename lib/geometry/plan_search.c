@@ -3,8 +3,8 @@
  * view by view.
  *
  * The selector of a view is its axis divided by the cube root of its texels per unit of area: the
- * texels that a piece of solid angle costs in a view are s_u s_v / (axis . ray)^3, so that rays fall
- * to the view in which they are cheapest. The search may shift that border too.
+ * texels that a piece of solid angle costs in a view are s_u s_v / (axis . ray)^3, so that rays
+ * fall to the view in which they are cheapest. The search may shift that border too.
  */
 #include <math.h>
 #include <stdio.h>
@@ -190,7 +190,7 @@ static void insert_finalist(struct finalist finalists[FINALISTS], const struct f
         }
 }
 
-/* Families come in pairs that differ by the phase of their outermost ring: places the better one. */
+/* Families come in pairs, by the phase of their outermost ring: places the better one. */
 static bool place_better_phase(struct search *search, const struct plan_family pair[2], int *better)
 {
     if (!plan_family_place(&pair[1], search->samples, &search->now))
