@@ -167,7 +167,7 @@ static void descend_views(struct search *search, double step, double stop, int m
 /* A family that begins this much dearer than the best one found is left out. */
 static double hopeless(const struct plan_samples *samples)
 {
-    return samples->half_rad < 95 * (pi / 180) ? 1.5 : 4;
+    return samples->half_rad < 91 * (pi / 180) ? 1.5 : 4;
 }
 
 enum { FINALISTS = 3, MOVES_MAX = 150 };
