@@ -27,6 +27,8 @@ bool cube_faces_create(struct cube_faces *cube, int size_px, char *message)
                  size_px, largest);
         return false;
     }
+    while (glGetError() != GL_NO_ERROR)
+        continue;
     glGenTextures(1, &cube->texture);
     glBindTexture(GL_TEXTURE_CUBE_MAP, cube->texture);
     for (GLenum face = 0; face < 6; face++)
@@ -41,7 +43,11 @@ bool cube_faces_create(struct cube_faces *cube, int size_px, char *message)
     glGenFramebuffers(1, &cube->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, cube->framebuffer);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, cube->depth);
-    return true;
+    if (glGetError() == GL_NO_ERROR)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "the GL refuses cube faces of %d px", size_px);
+    cube_faces_destroy(cube);
+    return false;
 }
 
 void cube_faces_destroy(struct cube_faces *cube)

@@ -17,6 +17,7 @@ struct bench {
     struct options options;
     FILE *file;
     int comparisons;
+    int others;       /* contenders besides the first of each comparison */
     struct load load; /* of the scene that is there */
     struct scene *scene;
     char message[MESSAGE_SIZE];
@@ -51,9 +52,10 @@ static bool take_scene(struct bench *bench, const struct load *load)
 }
 
 /* The first, and those of the others that are wished for; how many. */
-static int choose(const struct options *options, const struct contender *all, int count,
+static int choose(struct bench *bench, const struct contender *all, int count,
                   struct contender chosen[CONTENDERS_MAX])
 {
+    const struct options *options = &bench->options;
     int kept = 1;
 
     chosen[0] = all[0];
@@ -64,6 +66,7 @@ static int choose(const struct options *options, const struct contender *all, in
         if (wished)
             chosen[kept++] = all[i];
     }
+    bench->others += kept - 1;
     return kept;
 }
 
@@ -77,7 +80,7 @@ static bool compare(struct bench *bench, struct setting *setting,
     struct result results[CONTENDERS_MAX];
     bool done;
 
-    count = choose(&bench->options, all, count, contenders);
+    count = choose(bench, all, count, contenders);
     wishes.warp_alone = strcmp(heading->family, family_names[FAMILY_WARP]) == 0;
     if (!take_scene(bench, &setting->load) ||
         !setting_create(setting, bench->scene, bench->message))
@@ -241,6 +244,11 @@ static bool run(struct bench *bench)
         if (bench->options.families[i])
             done = run_family(bench, (enum family)i);
     json_end(bench->file);
+    if (done && bench->others == 0) {
+        snprintf(bench->message, sizeof bench->message,
+                 "--contenders names none that takes part; the results without it have the names");
+        done = false;
+    }
     if (bench->scene)
         bench->scene->destroy(bench->scene);
     if (!done)
