@@ -12,7 +12,7 @@ struct field {
     int count;
     const struct comparison_wishes *wishes;
     void *ready[CONTENDERS_MAX];
-    double *times_ms[CONTENDERS_MAX];
+    double *times_ms[CONTENDERS_MAX]; /* as many by the wall clock follow */
     struct stopwatch watch;
 };
 
@@ -31,7 +31,7 @@ static bool field_create(struct field *field, struct result *results, char *mess
     for (int i = 0; i < field->count; i++) {
         const struct contender *contender = &field->contenders[i];
         results[i] = (struct result){{0}};
-        field->times_ms[i] = calloc((size_t)field->wishes->frames, sizeof(double));
+        field->times_ms[i] = calloc(2 * (size_t)field->wishes->frames, sizeof(double));
         if (!field->times_ms[i]) {
             snprintf(message, MESSAGE_SIZE, "out of memory");
             return false;
@@ -88,6 +88,7 @@ static bool draw_rounds(struct field *field, char *message)
             if (!field->ready[i])
                 continue;
             field->times_ms[i][round] = frame_ms(field, i, !field->wishes->warp_alone);
+            field->times_ms[i][field->wishes->frames + round] = field->watch.wall_ms;
             if (field->times_ms[i][round] < 0) {
                 snprintf(message, MESSAGE_SIZE, "%s: a frame fails", field->contenders[i].name);
                 return false;
@@ -113,6 +114,7 @@ static bool sum_up(struct field *field, struct result *results, char *message)
             ratios[k] = field->times_ms[i][k] / field->times_ms[0][k];
         results[i].round_ratio = quartiles_of(ratios, frames);
         results[i].time_ms = quartiles_of(field->times_ms[i], frames);
+        results[i].wall_ms = quartiles_of(field->times_ms[i] + frames, frames);
     }
     for (int i = 0; i < field->count; i++)
         if (field->ready[i])

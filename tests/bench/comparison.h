@@ -24,6 +24,7 @@ struct result {
     char skipped[MESSAGE_SIZE]; /* why it did not take part; empty: it did */
     struct contender_facts facts;
     struct quartiles time_ms;
+    struct quartiles wall_ms;
     double ratio;                 /* of its median to the first contender's */
     struct quartiles round_ratio; /* of its time to the first contender's in the same round */
     double psnr_db;               /* 0: not compared */

@@ -99,6 +99,7 @@ static void put_result(FILE *file, const struct setting *setting, const struct c
         put_text(file, "skipped", result->skipped);
     } else {
         put_quartiles(file, "time_ms", &result->time_ms);
+        put_quartiles(file, "wall_ms", &result->wall_ms);
         put_number(file, "ratio", result->ratio);
         put_quartiles(file, "round_ratio", &result->round_ratio);
         put_number(file, "ns_per_pixel", 1e6 * result->time_ms.median / pixels);

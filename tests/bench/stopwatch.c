@@ -51,6 +51,7 @@ void stopwatch_start(struct stopwatch *watch)
     glFinish();
     if (watch->clock == CLOCK_GPU)
         glBeginQuery(GL_TIME_ELAPSED, watch->query);
+    watch->wall_start_ms = now_ms(CLOCK_WALL);
     watch->start_ms = now_ms(watch->clock);
 }
 
@@ -61,8 +62,10 @@ double stopwatch_stop_ms(struct stopwatch *watch)
     if (watch->clock == CLOCK_GPU)
         glEndQuery(GL_TIME_ELAPSED);
     glFinish();
+    double stop_ms = now_ms(watch->clock);
+    watch->wall_ms = now_ms(CLOCK_WALL) - watch->wall_start_ms;
     if (watch->clock != CLOCK_GPU)
-        return now_ms(watch->clock) - watch->start_ms;
+        return stop_ms - watch->start_ms;
     glGetQueryObjectui64v(watch->query, GL_QUERY_RESULT, &elapsed_ns);
     return 1e-6 * (double)elapsed_ns;
 }

@@ -15,6 +15,8 @@ struct stopwatch {
     enum clock clock; /* never AUTO */
     unsigned int query;
     double start_ms;
+    double wall_start_ms;
+    double wall_ms; /* of what was timed last, by the wall clock whatever `clock` is */
 };
 
 struct quartiles {
