@@ -14,6 +14,7 @@ struct contender_facts {
     enum shows shows;
     int views;
     double texels; /* of all views, guard bands included */
+    double masked; /* those of them that pixels sample and guard bands round them; 0: not known */
     double bytes;  /* of colour and depth that the views take */
     char note[256];
 };
@@ -38,7 +39,8 @@ extern const struct contender_kind contender_plain_view;
 /* A texture of the output's size, drawn over all of it bilinearly. */
 extern const struct contender_kind contender_blit;
 
-/* Cupola with 0 (its own choice) or as many rotated views as the variant says. */
+/* Cupola with one of these, or as many rotated views as the variant says. */
+enum cupola_variant { CUPOLA_CHOICE = 0, CUPOLA_SAVES_VERTICES = -1, CUPOLA_UNMASKED = -2 };
 extern const struct contender_kind contender_cupola;
 /* Cupola's own choice with the table stage that the variant is. */
 extern const struct contender_kind contender_stage;

@@ -56,10 +56,14 @@ static struct cupola_frames *prepare(const struct setting *setting,
 
 static void *views_prepare(const struct setting *setting, int variant, char *message)
 {
-    struct cupola_plan_params plan = {.views = variant};
+    struct cupola_plan_params plan = {.unmasked = variant == CUPOLA_UNMASKED};
 
-    if (variant > 0)
+    if (variant == CUPOLA_SAVES_VERTICES)
+        plan.goal = CUPOLA_GOAL_VERTICES;
+    if (variant > 0) {
+        plan.views = variant;
         plan.layout = CUPOLA_LAYOUT_ROTATED;
+    }
     return prepare(setting, &plan, &setting->gl, message);
 }
 
@@ -140,8 +144,9 @@ static void frames_facts(const void *self, struct contender_facts *facts)
     *facts = (struct contender_facts){.shows = SHOWS_DOME,
                                       .views = report->views,
                                       .texels = report->texels_shaded_per_pixel * report->pixels};
+    facts->masked = report->texels_masked_per_pixel * report->pixels;
     facts->bytes = 8.0 * report->atlas_width_px * report->atlas_height_px;
-    snprintf(facts->note, sizeof facts->note, "%s", report->reason);
+    snprintf(facts->note, sizeof facts->note, "%.31s: %.200s", report->family, report->reason);
 }
 
 const struct contender_kind contender_cupola = {.prepare = views_prepare,

@@ -105,6 +105,8 @@ static void put_result(FILE *file, const struct setting *setting, const struct c
         put_number(file, "ns_per_pixel", 1e6 * result->time_ms.median / pixels);
         put_number(file, "views", result->facts.views);
         put_number(file, "texels_per_pixel", result->facts.texels / pixels);
+        put_number(file, "masked_texels_per_pixel",
+                   result->facts.masked > 0 ? result->facts.masked / pixels : (double)NAN);
         put_number(file, "bytes_per_output_byte", result->facts.bytes / output_bytes);
         put_number(file, "psnr_db", result->psnr_db > 0 ? result->psnr_db : (double)NAN);
         put_text(file, "note", result->facts.note);

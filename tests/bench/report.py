@@ -16,7 +16,7 @@ AXES = {
     "size": ("side of the output, px", True),
     "views": ("views", False),
 }
-DRAWN = ["cupola", "cupola-3-views", "cupola-5-views", "control", "four-faces", "six-faces",
+DRAWN = ["cupola", "cupola-vertices", "cupola-3-views", "cupola-5-views", "control", "four-faces", "six-faces",
          "six-faces-mesh", "three-frusta"]
 TITLES = {
     "warp": "The warp alone, in blits",
@@ -66,7 +66,7 @@ def in_short(comparison):
 
 def row(comparison, contender):
     if not contender["took_part"]:
-        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 7
+        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 8
     plain = comparison["contenders"][0]
     per_pixel = contender["ns_per_pixel"] / plain["ns_per_pixel"]
     cells = [
@@ -77,6 +77,7 @@ def row(comparison, contender):
         number(per_pixel if comparison["family"] != "warp" else None),
         str(int(contender["views"])) if contender["views"] else "–",
         number(contender["texels_per_pixel"] or None),
+        number(contender["masked_texels_per_pixel"]),
         number(contender["bytes_per_output_byte"] or None),
         number(contender["psnr_db"], 1),
     ]
@@ -88,8 +89,8 @@ def table(comparison):
     lines = [
         f"### {heading(comparison)}", "", in_short(comparison), "",
         f"| contender | ms | / {unit} | quartiles by round | the same per pixel | views | "
-        "texels per pixel | memory / output | PSNR, dB |",
-        "|---|---|---|---|---|---|---|---|---|",
+        "texels per pixel | of them needed | memory / output | PSNR, dB |",
+        "|---|---|---|---|---|---|---|---|---|---|",
     ]
     lines += [row(comparison, contender) for contender in comparison["contenders"]]
     return lines + [""]
