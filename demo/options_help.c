@@ -87,7 +87,8 @@ static const char plan_text[] =
     "                         of numbers rgba32f\n"
     "  --msaa N               samples per texel, 1 to 64, as many as the GL has; default 1\n"
     "  --depth WAY            forward | reversed: from 1 near to 0 at infinity; default forward\n"
-    "  --table STAGE          none | angles | sines | points | coordinates; default points\n";
+    "  --table STAGE          none | angles | sines | points | coordinates | tiles; default\n"
+    "                         points\n";
 
 static const char show_text[] =
     "\nWhat is shown (one of them; default: the dome's image)\n"

@@ -43,7 +43,7 @@ static int check_bound(const cupola_gl *gl, int output, GLuint texture, struct c
 static int prepare(cupola_gl *gl, int output, GLuint texture, struct cupola_error *error)
 {
     struct warp_pass *pass = &gl->passes[output];
-    struct warp_program made[SOURCE_KINDS] = {{0}};
+    struct warp_program made[WARP_PROGRAMS] = {{0}};
     if (!texture_bind(GL_TEXTURE_2D, texture))
         return refuse_texture(output, texture, error);
     int status = check_bound(gl, output, texture, error);

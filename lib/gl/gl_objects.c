@@ -4,7 +4,7 @@
 #include "error.h"
 #include "host_cube.h"
 
-GLuint vertex_array_create(const struct guest *guest, struct cupola_error *error)
+GLuint vertex_array_create(const struct guest *guest, const char *name, struct cupola_error *error)
 {
     GLuint vertex_array = 0;
     glGenVertexArrays(1, &vertex_array);
@@ -13,7 +13,7 @@ GLuint vertex_array_create(const struct guest *guest, struct cupola_error *error
         return 0;
     }
     glBindVertexArray(vertex_array);
-    guest_name(guest, GL_VERTEX_ARRAY, vertex_array, "full screen");
+    guest_name(guest, GL_VERTEX_ARRAY, vertex_array, "%s", name);
     return vertex_array;
 }
 

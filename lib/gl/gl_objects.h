@@ -25,8 +25,8 @@ bool texture_bind(GLenum target, GLuint name);
 /* The same without being left bound; where the host's state is left, the host vouches for it. */
 bool texture_found(const struct guest *guest, GLenum target, GLuint name);
 
-/* A vertex array without any attribute; left bound. 0 on failure. */
-GLuint vertex_array_create(const struct guest *guest, struct cupola_error *error);
+/* A vertex array without any attribute so far; left bound. 0 on failure. */
+GLuint vertex_array_create(const struct guest *guest, const char *name, struct cupola_error *error);
 
 /* A sampler: bilinear, without mipmaps, clamped to the edge. Unit 0 has none then. 0 on failure. */
 GLuint sampler_create(const struct guest *guest, const char *name, struct cupola_error *error);

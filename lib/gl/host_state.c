@@ -20,6 +20,7 @@ static const struct {
     {GL_COLOR_LOGIC_OP, DESKTOP(NULL), GL_FALSE},
     {GL_POLYGON_OFFSET_FILL, EVERYWHERE, GL_FALSE},
     {GL_POLYGON_SMOOTH, DESKTOP(NULL), GL_FALSE},
+    {GL_PROGRAM_POINT_SIZE, DESKTOP(NULL), GL_TRUE},
     {GL_MULTISAMPLE, DESKTOP("GL_EXT_multisample_compatibility"), GL_TRUE},
     {GL_SAMPLE_ALPHA_TO_COVERAGE, EVERYWHERE, GL_FALSE},
     {GL_SAMPLE_ALPHA_TO_ONE, DESKTOP("GL_EXT_multisample_compatibility"), GL_FALSE},
@@ -119,6 +120,13 @@ void host_target_restore(const struct host_target *target, const struct host_fea
     glBindFramebuffer(GL_READ_FRAMEBUFFER, (GLuint)target->read_framebuffer);
     set_viewport(features, target->viewport);
     set_scissor(features, target->scissor, target->scissor_test);
+}
+
+void host_set_viewport(const struct host_features *features, GLint x, GLint y, GLsizei width,
+                       GLsizei height)
+{
+    const GLfloat viewport[4] = {(GLfloat)x, (GLfloat)y, (GLfloat)width, (GLfloat)height};
+    set_viewport(features, viewport);
 }
 
 void host_set_area(const struct host_features *features, GLint x, GLint y, GLsizei width,

@@ -123,6 +123,10 @@ void host_set_encoding(const struct host_features *features, bool encoding);
  */
 void host_set_over(const struct host_features *features, bool linear);
 
+/* Sets viewport 0 alone. */
+void host_set_viewport(const struct host_features *features, GLint x, GLint y, GLsizei width,
+                       GLsizei height);
+
 /* Sets viewport and scissor rectangle 0 and no other of the context. */
 void host_set_area(const struct host_features *features, GLint x, GLint y, GLsizei width,
                    GLsizei height);

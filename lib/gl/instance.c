@@ -13,7 +13,7 @@
 static const char *const table_names[] = {
     [CUPOLA_TABLE_POINTS] = "points",           [CUPOLA_TABLE_NONE] = "none",
     [CUPOLA_TABLE_ANGLES] = "angles",           [CUPOLA_TABLE_SINES] = "sines",
-    [CUPOLA_TABLE_COORDINATES] = "coordinates",
+    [CUPOLA_TABLE_COORDINATES] = "coordinates", [CUPOLA_TABLE_TILES] = "tiles",
 };
 
 enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0] };
@@ -51,7 +51,7 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (params->storage != CUPOLA_STORAGE_ATLAS && params->table == CUPOLA_TABLE_COORDINATES)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "table stage is coordinates, which are those of the atlas; allowed for "
-                         "the host's textures: points, none, angles, sines");
+                         "the host's textures: points, none, angles, sines, tiles");
     if (params->encoding < CUPOLA_ENCODING_LINEAR || params->encoding > CUPOLA_ENCODING_SRGB)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "encoding is %d; allowed: %d to %d",
                          (int)params->encoding, CUPOLA_ENCODING_LINEAR, CUPOLA_ENCODING_SRGB);
@@ -80,7 +80,7 @@ static void destroy_objects(cupola_gl *gl)
 
 static int create_vertex_array(cupola_gl *gl, struct cupola_error *error)
 {
-    gl->vertex_array = vertex_array_create(&gl->guest, error);
+    gl->vertex_array = vertex_array_create(&gl->guest, "full screen", error);
     return gl->vertex_array ? CUPOLA_OK : (int)error->status;
 }
 

@@ -13,6 +13,7 @@
 #include "cupola/gl.h"
 #include "geometry/plan.h"
 #include "geometry/source.h"
+#include "geometry/tiles.h"
 #include "guest.h"
 #include "host_state.h"
 
@@ -30,15 +31,25 @@ struct overlay_program {
     GLint target_corner, encoded, kind, axes, half, color; /* locations of uniforms */
 };
 
+/* The tiles of one output; nothing of them without the stage of tiles. */
+struct tile_pass {
+    struct tiles tiles;
+    GLuint buffers[TILE_KINDS], arrays[TILE_KINDS];
+};
+
+/* What an output's programs are for: kinds of sources, then kinds of tiles of views. */
+enum { WARP_PROGRAMS = SOURCE_KINDS + TILE_KINDS };
+
 /* Tables and programs of one output. */
 struct warp_pass {
-    GLuint table;  /* 0 for the stage none */
+    GLuint table;  /* 0 for the stages none and tiles */
     GLuint points; /* 0 until asked for; the same as `table` for the stage points */
     GLuint gain;   /* the host's; 0: none */
     bool gained;   /* there are programs with gain */
     /* Without gain, and with it: those are made when a gain is set for the first time. */
-    struct warp_program programs[2][SOURCE_KINDS];
+    struct warp_program programs[2][WARP_PROGRAMS];
     struct overlay_program overlays[2];
+    struct tile_pass tiles;
 };
 
 /* Where views are that the host brings: as cupola_gl_views_import was told. */
@@ -103,8 +114,24 @@ void warp_pass_destroy(struct warp_pass *pass);
 
 /* The programs of one output for all kinds that were asked for, with gain or without. */
 int warp_programs_create(const cupola_gl *gl, int output, bool gained,
-                         struct warp_program made[SOURCE_KINDS], struct cupola_error *error);
-void warp_programs_destroy(struct warp_program programs[SOURCE_KINDS]);
+                         struct warp_program made[WARP_PROGRAMS], struct cupola_error *error);
+void warp_programs_destroy(struct warp_program programs[WARP_PROGRAMS]);
+
+/* Tiles and their buffers; all of the pass is there to be destroyed after a failure, too. */
+int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
+                     struct cupola_error *error);
+void tile_pass_destroy(struct tile_pass *pass);
+
+/* After eye or views of the plan have changed. Allocates nothing. */
+void tile_pass_refit(cupola_gl *gl, int output);
+
+/* The program of a kind of tiles, with `lines` of warp_lines. 0 on failure. */
+enum { TILE_LINES_MAX = 160 };
+GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
+                           struct cupola_error *error);
+
+/* All tiles of a kind, with the program in use. */
+void tile_draw(const struct tile_pass *pass, int kind);
 
 /* Whether a kind of source was asked for at creation. */
 static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kind)
@@ -118,6 +145,9 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
  */
 enum { WARP_LINES_MAX = 320 };
 void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX]);
+
+/* Which units the program in use finds views and table on. */
+void warp_set_units(const cupola_gl *gl, GLuint program);
 
 /* That of one output, with gain or without; nothing where gl was made without overlays. */
 int overlay_program_create(const cupola_gl *gl, int output, bool gained,
@@ -157,10 +187,11 @@ enum { UNIT_IMAGE = 0, UNIT_TABLE = 1 };
 GLint view_image_unit(int view);
 GLint gain_unit(const cupola_gl *gl);
 
-/* The views that the host brings; bind also sets what the program in use wants of them. */
+/* The views that the host brings; set: what the program in use wants of them, if they are so. */
 int view_images_create(cupola_gl *gl, struct cupola_error *error);
 int view_images_check(const cupola_gl *gl, struct cupola_error *error);
-void view_images_bind(const cupola_gl *gl, const struct warp_program *program);
+void view_images_bind(const cupola_gl *gl);
+void view_images_set(const cupola_gl *gl, const struct warp_program *program);
 
 /* The gain of an output that has one. */
 int gain_check(const cupola_gl *gl, int output, struct cupola_error *error);

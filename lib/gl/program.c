@@ -94,7 +94,13 @@ GLuint program_create(const char *defines, const struct shader_file *files, int 
                       struct cupola_error *error)
 {
     static const struct shader_file triangle = {"fullscreen.vert", shader_fullscreen_vert};
-    GLuint vertex = compile(GL_VERTEX_SHADER, "", &triangle, 1, error);
+    return program_create_by(&triangle, defines, files, count, error);
+}
+
+GLuint program_create_by(const struct shader_file *vertex_file, const char *defines,
+                         const struct shader_file *files, int count, struct cupola_error *error)
+{
+    GLuint vertex = compile(GL_VERTEX_SHADER, defines, vertex_file, 1, error);
     if (!vertex)
         return 0;
     GLuint fragment = compile(GL_FRAGMENT_SHADER, defines, files, count, error);

@@ -8,7 +8,7 @@
 #include "geometry/dome.h"
 #include "geometry/plan.h"
 
-/* A file of a fragment shader: its name for messages, and its text. */
+/* A file of a shader: its name for messages, and its text. */
 struct shader_file {
     const char *name;
     const char *text;
@@ -21,6 +21,10 @@ struct shader_file {
  */
 GLuint program_create(const char *defines, const struct shader_file *files, int count,
                       struct cupola_error *error);
+
+/* The same with another vertex shader, which has the defines before it, too. */
+GLuint program_create_by(const struct shader_file *vertex, const char *defines,
+                         const struct shader_file *files, int count, struct cupola_error *error);
 
 /* Lines that the files of shaders/ rely on. */
 enum { PROGRAM_DEFINES_MAX = 512 };

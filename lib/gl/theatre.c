@@ -88,7 +88,7 @@ static void destroy_objects(cupola_theatre *theatre)
 
 static int create_objects(cupola_theatre *theatre, struct cupola_error *error)
 {
-    theatre->vertex_array = vertex_array_create(&theatre->guest, error);
+    theatre->vertex_array = vertex_array_create(&theatre->guest, "full screen", error);
     if (!theatre->vertex_array)
         return error->status;
     theatre->sampler = sampler_create(&theatre->guest, "theatre", error);

@@ -152,7 +152,7 @@ int view_images_check(const cupola_gl *gl, struct cupola_error *error)
     return CUPOLA_OK;
 }
 
-void view_images_bind(const cupola_gl *gl, const struct warp_program *program)
+void view_images_bind(const cupola_gl *gl)
 {
     bool layers = gl->params.storage == CUPOLA_STORAGE_LAYERS;
     for (int i = 0; i < (layers ? 1 : gl->plan.view_count); i++) {
@@ -161,7 +161,13 @@ void view_images_bind(const cupola_gl *gl, const struct warp_program *program)
         glBindTexture(kind_of(gl), gl->images.textures[i]);
         glBindSampler(unit, gl->image_sampler);
     }
+}
+
+void view_images_set(const cupola_gl *gl, const struct warp_program *program)
+{
+    if (gl->params.storage == CUPOLA_STORAGE_ATLAS)
+        return;
     glUniform4fv(program->image_rect, gl->plan.view_count, gl->images.rects);
-    if (layers)
+    if (gl->params.storage == CUPOLA_STORAGE_LAYERS)
         glUniform1fv(program->image_layer, gl->plan.view_count, gl->images.layers);
 }

@@ -11,6 +11,18 @@
 #include "target_color.h"
 #include "target_gl.h"
 
+void warp_set_units(const cupola_gl *gl, GLuint program)
+{
+    GLint units[CUPOLA_VIEWS_MAX];
+    for (int i = 0; i < CUPOLA_VIEWS_MAX; i++)
+        units[i] = view_image_unit(i);
+    glUniform1i(glGetUniformLocation(program, "atlas"), UNIT_IMAGE);
+    glUniform1i(glGetUniformLocation(program, "table"), UNIT_TABLE);
+    if (gl->params.storage != CUPOLA_STORAGE_ATLAS)
+        glUniform1iv(glGetUniformLocation(program, "images"),
+                     gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count, units);
+}
+
 static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
                                    struct cupola_error *error)
 {
@@ -28,14 +40,7 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
     glUseProgram(program);
     program_set_projector(program, &gl->plan.dome, output);
     program_set_views(program, &gl->plan);
-    glUniform1i(glGetUniformLocation(program, "atlas"), UNIT_IMAGE);
-    glUniform1i(glGetUniformLocation(program, "table"), UNIT_TABLE);
-    GLint units[CUPOLA_VIEWS_MAX];
-    for (int i = 0; i < CUPOLA_VIEWS_MAX; i++)
-        units[i] = view_image_unit(i);
-    if (gl->params.storage != CUPOLA_STORAGE_ATLAS)
-        glUniform1iv(glGetUniformLocation(program, "images"),
-                     gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count, units);
+    warp_set_units(gl, program);
     return program;
 }
 
@@ -65,13 +70,15 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
 {
     char lines[WARP_LINES_MAX];
     warp_lines(gl, gained, false, lines);
-    GLuint program = kind == CUPOLA_SOURCE_VIEWS
-                         ? views_program_create(gl, output, lines, error)
-                         : source_program_create(gl, output, kind, lines, error);
+    GLuint program =
+        kind >= SOURCE_KINDS ? tile_program_create(gl, output, kind - SOURCE_KINDS, lines, error)
+        : kind == CUPOLA_SOURCE_VIEWS ? views_program_create(gl, output, lines, error)
+                                      : source_program_create(gl, output, kind, lines, error);
     if (!program)
         return error->status;
-    guest_name(&gl->guest, GL_PROGRAM, program, "warp of %s to output %d%s",
-               cupola_source_name(kind), output, gained ? ", with gain" : "");
+    if (kind < SOURCE_KINDS)
+        guest_name(&gl->guest, GL_PROGRAM, program, "warp of %s to output %d%s",
+                   cupola_source_name(kind), output, gained ? ", with gain" : "");
     glUniform4fv(glGetUniformLocation(program, "border"), 1, gl->params.border);
     glUniform1i(glGetUniformLocation(program, "gain"), gain_unit(gl));
     *made = (struct warp_program){
@@ -88,20 +95,30 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
     return CUPOLA_OK;
 }
 
-void warp_programs_destroy(struct warp_program programs[SOURCE_KINDS])
+void warp_programs_destroy(struct warp_program programs[WARP_PROGRAMS])
 {
-    for (int kind = 0; kind < SOURCE_KINDS; kind++) {
+    for (int kind = 0; kind < WARP_PROGRAMS; kind++) {
         glDeleteProgram(programs[kind].program);
         programs[kind] = (struct warp_program){0};
     }
 }
 
-int warp_programs_create(const cupola_gl *gl, int output, bool gained,
-                         struct warp_program made[SOURCE_KINDS], struct cupola_error *error)
+/* Whether a program is needed: the views have one, or one for each kind of tiles. */
+static bool needs_program(const cupola_gl *gl, int kind)
 {
-    for (int kind = 0; kind < SOURCE_KINDS; kind++) {
+    bool tiles = gl->params.table == CUPOLA_TABLE_TILES;
+    if (kind >= SOURCE_KINDS)
+        return tiles && shows_source(gl, CUPOLA_SOURCE_VIEWS);
+    return shows_source(gl, (enum cupola_source_kind)kind) &&
+           !(tiles && kind == CUPOLA_SOURCE_VIEWS);
+}
+
+int warp_programs_create(const cupola_gl *gl, int output, bool gained,
+                         struct warp_program made[WARP_PROGRAMS], struct cupola_error *error)
+{
+    for (int kind = 0; kind < WARP_PROGRAMS; kind++) {
         int status = CUPOLA_OK;
-        if (shows_source(gl, (enum cupola_source_kind)kind))
+        if (needs_program(gl, kind))
             status = warp_program_create(gl, output, kind, gained, &made[kind], error);
         if (status != CUPOLA_OK) {
             warp_programs_destroy(made);
@@ -114,7 +131,11 @@ int warp_programs_create(const cupola_gl *gl, int output, bool gained,
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 {
     struct warp_pass *pass = &gl->passes[output];
-    if (shows_source(gl, CUPOLA_SOURCE_VIEWS) && gl->params.table != CUPOLA_TABLE_NONE) {
+    bool views = shows_source(gl, CUPOLA_SOURCE_VIEWS);
+    if (views && gl->params.table == CUPOLA_TABLE_TILES) {
+        if (tile_pass_create(gl, output, &pass->tiles, error) != CUPOLA_OK)
+            return error->status;
+    } else if (views && gl->params.table != CUPOLA_TABLE_NONE) {
         pass->table = table_create(gl, output, gl->params.table, error);
         if (!pass->table)
             return error->status;
@@ -133,6 +154,7 @@ void warp_pass_destroy(struct warp_pass *pass)
         warp_programs_destroy(pass->programs[gained]);
         overlay_program_destroy(&pass->overlays[gained]);
     }
+    tile_pass_destroy(&pass->tiles);
     glDeleteTextures(1, &pass->table);
     if (pass->points != pass->table)
         glDeleteTextures(1, &pass->points);
@@ -153,46 +175,87 @@ int output_check(cupola_gl *gl, int output, struct cupola_error *error)
     return guest_check(&gl->guest, error);
 }
 
-static void views_bind(const cupola_gl *gl, int output, const struct warp_program *program)
+static void views_bind(const cupola_gl *gl, int output)
 {
     glActiveTexture(GL_TEXTURE0 + UNIT_TABLE);
     glBindTexture(GL_TEXTURE_2D, gl->passes[output].table);
     if (gl->params.storage != CUPOLA_STORAGE_ATLAS) {
-        view_images_bind(gl, program);
+        view_images_bind(gl);
         return;
     }
     glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
     glBindTexture(GL_TEXTURE_2D, gl->atlas);
 }
 
-/* Into the framebuffer that is bound; all has been checked. */
-static void warp_draw(const cupola_gl *gl, int output, const struct cupola_source *source,
-                      const struct cupola_target *place)
+static void program_begin(const cupola_gl *gl, const struct warp_program *program,
+                          const struct cupola_target *place)
 {
-    const struct warp_pass *pass = &gl->passes[output];
-    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
-    const struct warp_program *program = &pass->programs[pass->gain != 0][source->kind];
-    bool cube = source->kind == CUPOLA_SOURCE_CUBE, kept = !gl->guest.leaves_state;
-    struct host_cube host;
-    host_set_area(&gl->features, place->x, place->y, size->width_px, size->height_px);
     glUseProgram(program->program);
     glUniform2f(program->target_corner, (GLfloat)place->x, (GLfloat)place->y);
     if (program->encoded >= 0)
         glUniform1i(program->encoded, !target_encodes(&gl->features));
-    if (pass->gain)
-        gain_bind(gl, output);
+}
+
+static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,
+                       const struct cupola_target *place)
+{
+    host_set_viewport(&gl->features, place->x, place->y, pass->tiles.tiles.width_px,
+                      pass->tiles.tiles.height_px);
+    for (int kind = 0; kind < TILE_KINDS; kind++) {
+        const struct warp_program *program = &pass->programs[pass->gain != 0][SOURCE_KINDS + kind];
+        if (!pass->tiles.tiles.count[kind])
+            continue;
+        program_begin(gl, program, place);
+        view_images_set(gl, program);
+        tile_draw(&pass->tiles, kind);
+    }
+}
+
+static void draw_views(const cupola_gl *gl, int output, const struct cupola_target *place)
+{
+    const struct warp_pass *pass = &gl->passes[output];
+    const struct warp_program *program = &pass->programs[pass->gain != 0][CUPOLA_SOURCE_VIEWS];
+    views_bind(gl, output);
+    if (gl->params.table == CUPOLA_TABLE_TILES) {
+        draw_tiles(gl, pass, place);
+        return;
+    }
+    program_begin(gl, program, place);
+    view_images_set(gl, program);
+    draw_fullscreen(gl->vertex_array);
+}
+
+static void draw_picture(const cupola_gl *gl, int output, const struct cupola_source *source,
+                         const struct cupola_target *place)
+{
+    const struct warp_pass *pass = &gl->passes[output];
+    const struct warp_program *program = &pass->programs[pass->gain != 0][source->kind];
+    bool cube = source->kind == CUPOLA_SOURCE_CUBE, kept = !gl->guest.leaves_state;
+    struct host_cube host;
+    program_begin(gl, program, place);
     glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
     if (cube && kept)
         host_cube_save(&host);
     else if (cube)
         host_cube_set();
-    if (source->kind == CUPOLA_SOURCE_VIEWS)
-        views_bind(gl, output, program);
-    else
-        source_bind(gl, program, source);
+    source_bind(gl, program, source);
     draw_fullscreen(gl->vertex_array);
     if (cube && kept)
         host_cube_restore(&host);
+}
+
+/* Into the framebuffer that is bound; all has been checked. */
+static void warp_draw(const cupola_gl *gl, int output, const struct cupola_source *source,
+                      const struct cupola_target *place)
+{
+    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
+    host_set_area(&gl->features, place->x, place->y, size->width_px, size->height_px);
+    if (gl->passes[output].gain)
+        gain_bind(gl, output);
+    if (source->kind == CUPOLA_SOURCE_VIEWS)
+        draw_views(gl, output, place);
+    else
+        draw_picture(gl, output, source, place);
 }
 
 /* All that is sampled: there, and not drawn into at the same time. The target is bound then. */

@@ -137,7 +137,7 @@ static void an_unknown_name_is_answered_with_the_known_ones(void **state)
         {"--layout moon", "--layout: 'moon'", "asymmetric, rotated"},
         {"--view-format moon", "--view-format: 'moon'", "rgba8, rgba16f, rgba32f, srgb8"},
         {"--depth moon", "--depth: 'moon'", "forward, reversed"},
-        {"--table moon", "--table: 'moon'", "none, angles, sines, coordinates"},
+        {"--table moon", "--table: 'moon'", "none, angles, sines, coordinates, tiles"},
         {"--preview moon", "--preview: 'moon'", "eye, outside"},
         {"--output moon.jpg", "--output: 'moon.jpg'", "FILE.png or FILE.pfm"},
         {"--output png", "--output: 'png'", "FILE.png or FILE.pfm"},

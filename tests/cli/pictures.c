@@ -188,7 +188,7 @@ static void a_preset_has_its_own_tilt_and_the_default_none(void **state)
 
 static void all_table_stages_give_the_same_picture(void **state)
 {
-    static const char *const stages[] = {"none", "angles", "sines", "coordinates"};
+    static const char *const stages[] = {"none", "angles", "sines", "coordinates", "tiles"};
     struct picture points = run_pfm("--scene directions --size 96x96 --viewer 0.2,0.1,0.3");
 
     (void)state;

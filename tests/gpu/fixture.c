@@ -19,13 +19,29 @@ enum { PAINT_COUNT = sizeof paint_sources / sizeof paint_sources[0] };
 
 static GLuint programs[PAINT_COUNT];
 
+/*
+ * What a test wishes; in a run for another stage of tables, named in the environment, that one where
+ * it wishes none.
+ */
+static const struct cupola_gl_params *with_stage(const struct cupola_gl_params *wished,
+                                                 struct cupola_gl_params *params)
+{
+    const char *name = getenv("CUPOLA_TEST_TABLE");
+    if (!name || (wished && wished->table))
+        return wished;
+    *params = wished ? *wished : (struct cupola_gl_params){.border = {0}};
+    params->table = (enum cupola_table)cupola_table_find(name);
+    return params;
+}
+
 void fixture_make_of_plan(cupola_plan *plan, const struct cupola_gl_params *gl_params,
                           struct fixture *fixture)
 {
     struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_gl_params params;
     *fixture = (struct fixture){.plan = plan};
     if (cupola_dome_create(cupola_dome_rig(cupola_plan_dome(plan)), &fixture->dome, &error) < 0 ||
-        cupola_gl_create(plan, gl_params, &fixture->gl, &error) < 0)
+        cupola_gl_create(plan, with_stage(gl_params, &params), &fixture->gl, &error) < 0)
         fail_msg("%s", error.message);
 }
 
@@ -45,8 +61,9 @@ void fixture_make(const struct cupola_rig *rig, const struct cupola_plan_params 
 void fixture_replace_gl(struct fixture *fixture, const struct cupola_gl_params *gl_params)
 {
     struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_gl_params params;
     cupola_gl_destroy(&fixture->gl);
-    if (cupola_gl_create(fixture->plan, gl_params, &fixture->gl, &error) < 0)
+    if (cupola_gl_create(fixture->plan, with_stage(gl_params, &params), &fixture->gl, &error) < 0)
         fail_msg("%s", error.message);
 }
 

@@ -86,7 +86,7 @@ static void check_costs(const struct cupola_gl_params *params, const char *name)
 static void frames_allocate_and_compile_nothing(void **state)
 {
     (void)state;
-    for (int table = CUPOLA_TABLE_POINTS; table <= CUPOLA_TABLE_COORDINATES; table++) {
+    for (int table = CUPOLA_TABLE_POINTS; table <= CUPOLA_TABLE_TILES; table++) {
         const struct cupola_gl_params params = {.table = (enum cupola_table)table};
         check_costs(&params, cupola_table_name(table));
     }

@@ -122,7 +122,7 @@ static void live(int number)
     bool draws = number % 10 == 0, whole = number % 40 == 0;
     unsigned int points = 0;
     const struct cupola_gl_params params = {
-        .table = draws ? (enum cupola_table)(number / 10 % 5) : CUPOLA_TABLE_NONE,
+        .table = draws ? (enum cupola_table)(number / 10 % 6) : CUPOLA_TABLE_NONE,
         .samples = number % 3 == 0 ? 2 : 0,
         .sources = whole ? 0 : 1u << CUPOLA_SOURCE_VIEWS,
     };

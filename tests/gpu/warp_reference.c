@@ -135,7 +135,7 @@ static float *reference_of(const struct fixture *fixture, const cupola_plan *pla
 static void set_format(struct fixture *fixture, int number, int format)
 {
     struct cupola_gl_params params = {.format = (enum cupola_format)format,
-                                      .table = (enum cupola_table)(number % 5)};
+                                      .table = (enum cupola_table)(number / 2 % 6)};
     memcpy(params.border, border, sizeof params.border);
     fixture_replace_gl(fixture, &params);
     fixture_paint(fixture, PAINT_NOISE);

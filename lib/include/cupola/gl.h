@@ -92,6 +92,11 @@ enum cupola_table {
     CUPOLA_TABLE_ANGLES,      /* the two angles of each ray */
     CUPOLA_TABLE_SINES,       /* their sines and cosines, the paper's choice */
     CUPOLA_TABLE_COORDINATES, /* finished coordinates in the atlas */
+    /* Square tiles of 8 to 64 px, each with a polynomial of its points, to 0.002 texels: what is
+     * not lit, or cut by a rim, goes apart, and only tiles at borders of views ask each pixel which
+     * it falls to. The least work for a pixel, and no texture of the output's size. Needs a GL with
+     * points of 8 px. */
+    CUPOLA_TABLE_TILES,
 };
 
 /*

@@ -1,0 +1,207 @@
+/*
+ * Tiles in the GL: their buffers, their programs and how they are drawn: as points, one vertex each,
+ * which costs a software rasteriser a fifth of what two triangles do. A point whose middle is beyond
+ * the viewport is not drawn, so the viewport is of whole tiles, and the scissor rectangle cuts it.
+ */
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "error.h"
+#include "geometry/vector.h"
+#include "gl_objects.h"
+#include "host_buffer.h"
+#include "instance.h"
+#include "program.h"
+#include "shaders.h"
+
+static const char *const kind_names[TILE_KINDS] = {"pure", "choosing", "exact", "dark"};
+
+/* Of the vertex array that is bound: one tile for each vertex. */
+static void set_attributes(GLuint buffer, bool terms)
+{
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    for (GLuint i = 0; i <= (terms ? TILE_TERMS : 0); i++) {
+        size_t at = i ? offsetof(struct tile, terms) + (i - 1) * 3 * sizeof(float) : 0;
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof(struct tile),
+                              (const void *)at);
+    }
+}
+
+static int create_kind(const cupola_gl *gl, int output, int kind, struct tile_pass *pass,
+                       struct cupola_error *error)
+{
+    const struct tiles *tiles = &pass->tiles;
+    bool terms = kind == TILE_PURE || kind == TILE_CHOOSING;
+    glGenBuffers(1, &pass->buffers[kind]);
+    if (!pass->buffers[kind])
+        return gl_refused(glGetError(), error, "a buffer of tiles");
+    pass->arrays[kind] = vertex_array_create(&gl->guest, "tiles", error);
+    if (!pass->arrays[kind])
+        return error->status;
+    set_attributes(pass->buffers[kind], terms);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->most[kind]),
+                 NULL, terms ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+    glBufferSubData(GL_ARRAY_BUFFER, 0,
+                    (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->count[kind]),
+                    tiles->tiles[kind]);
+    guest_name(&gl->guest, GL_BUFFER, pass->buffers[kind], "%s tiles of output %d",
+               kind_names[kind], output);
+    return CUPOLA_OK;
+}
+
+/* The largest tile that can be drawn as a point; 0 if there is none. */
+static int largest_point_px(void)
+{
+    GLfloat range[2] = {0, 0};
+    int side_px = TILE_MOST_PX;
+    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range);
+    while (side_px >= TILE_LEAST_PX && !((GLfloat)side_px <= range[1]))
+        side_px /= 2;
+    return side_px >= TILE_LEAST_PX ? side_px : 0;
+}
+
+int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
+                     struct cupola_error *error)
+{
+    struct host_buffer host;
+    int most_px = largest_point_px();
+    if (!most_px)
+        return error_set(error, CUPOLA_ERROR_GL,
+                         "this GL draws no points of %d px, which the table stage tiles needs; "
+                         "allowed: the other stages",
+                         TILE_LEAST_PX);
+    int status = tiles_create(&gl->plan, output, most_px, &pass->tiles, error);
+    if (status != CUPOLA_OK)
+        return status;
+    host_buffer_save(&host);
+    for (int kind = 0; status == CUPOLA_OK && kind < TILE_KINDS; kind++)
+        if (pass->tiles.most[kind])
+            status = create_kind(gl, output, kind, pass, error);
+    host_buffer_restore(&host);
+    return status;
+}
+
+void tile_pass_destroy(struct tile_pass *pass)
+{
+    glDeleteVertexArrays(TILE_KINDS, pass->arrays);
+    glDeleteBuffers(TILE_KINDS, pass->buffers);
+    tiles_destroy(&pass->tiles);
+    *pass = (struct tile_pass){.buffers = {0}};
+}
+
+/*
+ * From the dome frame to a view, homogeneous: its first two rows by its third are the place in the
+ * view's base rectangle, or in the atlas if the views are there.
+ */
+static void view_matrix(const cupola_plan *plan, const struct cupola_view *view, bool atlas,
+                        double matrix[9])
+{
+    const double *size[2] = {&view->left, &view->bottom};
+    const double extent[2] = {view->right - view->left, view->top - view->bottom};
+    const double from[2] = {(double)view->rect.x / plan->report.atlas_width_px,
+                            (double)view->rect.y / plan->report.atlas_height_px};
+    const double share[2] = {(double)view->rect.width / plan->report.atlas_width_px,
+                             (double)view->rect.height / plan->report.atlas_height_px};
+    double rows[9];
+    for (int k = 0; k < 3; k++) {
+        double depth = -view->rotation[6 + k];
+        for (int i = 0; i < 2; i++) {
+            double place = (view->rotation[3 * i + k] - *size[i] * depth) / extent[i];
+            rows[3 * i + k] = atlas ? from[i] * depth + share[i] * place : place;
+        }
+        rows[6 + k] = depth;
+    }
+    multiply3(rows, plan->dome.tilt, matrix);
+}
+
+/* What differs from eye to eye, of a program that is in use. */
+static void set_views(GLuint program, const cupola_plan *plan, bool atlas)
+{
+    program_set_vector(program, "eye", plan->dome.rig.eye_m, 3);
+    for (int v = 0; v < plan->view_count; v++) {
+        char name[32];
+        double matrix[9];
+        view_matrix(plan, &plan->views[v], atlas, matrix);
+        snprintf(name, sizeof name, "tile_view[%d]", v);
+        program_set_rotation(program, name, matrix);
+    }
+}
+
+GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
+                           struct cupola_error *error)
+{
+    static const struct shader_file vertex = {"tile.vert", shader_tile_vert};
+    static const struct shader_file exact[] = {
+        {"lens.glsl", shader_lens_glsl},   {"points.glsl", shader_points_glsl},
+        {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
+        {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
+    };
+    static const struct shader_file other[] = {
+        {"views.glsl", shader_views_glsl},
+        {"images.glsl", shader_images_glsl},
+        {"light.glsl", shader_light_glsl},
+        {"tile.frag", shader_tile_frag},
+    };
+    char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + TILE_LINES_MAX], tile_lines[TILE_LINES_MAX];
+    program_defines(&gl->plan.dome, output, gl->plan.view_count, CUPOLA_TABLE_NONE, defines);
+    strcat(defines, lines);
+    snprintf(tile_lines, sizeof tile_lines,
+             "#define TILE_PURE %d\n#define TILE_CHOOSING %d\n#define TILE_EXACT %d\n"
+             "#define TILE_DARK %d\n#define TILE_KIND %d\n",
+             TILE_PURE, TILE_CHOOSING, TILE_EXACT, TILE_DARK, kind);
+    strcat(defines, tile_lines);
+    const struct tiles *tiles = &gl->passes[output].tiles.tiles;
+    const double viewport[2] = {tiles->width_px, tiles->height_px};
+    GLuint program = kind == TILE_EXACT ? program_create_by(&vertex, defines, exact, 6, error)
+                                        : program_create_by(&vertex, defines, other, 4, error);
+    if (!program)
+        return 0;
+    glUseProgram(program);
+    program_set_projector(program, &gl->plan.dome, output);
+    program_set_views(program, &gl->plan);
+    program_set_vector(program, "viewport_size", viewport, 2);
+    set_views(program, &gl->plan, gl->params.storage == CUPOLA_STORAGE_ATLAS);
+    warp_set_units(gl, program);
+    guest_name(&gl->guest, GL_PROGRAM, program, "warp of %s tiles of output %d", kind_names[kind],
+               output);
+    return program;
+}
+
+void tile_draw(const struct tile_pass *pass, int kind)
+{
+    glBindVertexArray(pass->arrays[kind]);
+    glDrawArrays(GL_POINTS, 0, pass->tiles.count[kind]);
+}
+
+void tile_pass_refit(cupola_gl *gl, int output)
+{
+    struct warp_pass *warp = &gl->passes[output];
+    struct tile_pass *pass = &warp->tiles;
+    struct host_buffer host;
+    tiles_refit(&gl->plan, &pass->tiles);
+    host_buffer_save(&host);
+    for (int kind = TILE_PURE; kind <= TILE_CHOOSING; kind++) {
+        const struct tiles *tiles = &pass->tiles;
+        if (!tiles->most[kind])
+            continue;
+        glBindBuffer(GL_ARRAY_BUFFER, pass->buffers[kind]);
+        /* Other storage for the same buffer: what has been drawn need not be waited for. */
+        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->most[kind]),
+                     NULL, GL_DYNAMIC_DRAW);
+        glBufferSubData(GL_ARRAY_BUFFER, 0,
+                        (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->count[kind]),
+                        tiles->tiles[kind]);
+    }
+    host_buffer_restore(&host);
+    for (int gained = 0; gained < 2; gained++)
+        for (int kind = TILE_PURE; kind <= TILE_EXACT; kind++) {
+            GLuint program = warp->programs[gained][SOURCE_KINDS + kind].program;
+            if (!program)
+                continue;
+            glUseProgram(program);
+            program_set_views(program, &gl->plan);
+            set_views(program, &gl->plan, gl->params.storage == CUPOLA_STORAGE_ATLAS);
+        }
+}
