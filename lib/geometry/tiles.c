@@ -115,7 +115,7 @@ static bool grow(void **list, int *most, int wished, size_t size)
     return true;
 }
 
-static bool grow_tiles(struct tiles *tiles, int kind, int wished)
+static bool grow_tiles(struct tiles *tiles, enum tile_kind kind, int wished)
 {
     void *list = tiles->tiles[kind];
     bool grown = grow(&list, &tiles->most[kind], wished, sizeof *tiles->tiles[kind]);
@@ -281,7 +281,7 @@ int tiles_create(const cupola_plan *plan, int output, int most_px, struct tiles 
                             .height_px = whole_squares(size->height_px, most_px)};
     bool done = cut_output(plan, tiles) && choose_all(plan, tiles, true);
     /* Room for the tiles of another eye. */
-    for (int kind = TILE_PURE; done && kind <= TILE_CHOOSING; kind++)
+    for (enum tile_kind kind = TILE_PURE; done && kind <= TILE_CHOOSING; kind++)
         done = grow_tiles(tiles, kind, tiles->count[kind] * 5 / 4 + tiles->piece_count + 4);
     if (done)
         return CUPOLA_OK;

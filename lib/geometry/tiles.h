@@ -7,8 +7,8 @@
  *   exact    rims, and where no polynomial would do: computed pixel by pixel
  *   dark     nothing of it is lit
  *
- * Squares of up to TILE_MOST_PX are cut into four where that helps, down to TILE_LEAST_PX at rims and to
- * TILE_CHOOSING_PX at borders of views. They may stand
+ * Squares of up to TILE_MOST_PX are cut into four where that helps, down to TILE_LEAST_PX at rims
+ * and to TILE_CHOOSING_PX at borders of views. They may stand
  * out beyond the output's right and upper edge.
  *
  * The polynomials are those of the points, and so do not depend on the eye: where that moves, only

@@ -1,5 +1,5 @@
 /*
- * Tiles in the GL: their buffers, their programs and how they are drawn: as points, one vertex each,
+ * Tiles in the GL: their buffers, their programs and how they are drawn: as points, a vertex each,
  * which costs a software rasteriser a fifth of what two triangles do. A point whose middle is beyond
  * the viewport is not drawn, so the viewport is of whole tiles, and the scissor rectangle cuts it.
  */

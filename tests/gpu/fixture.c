@@ -19,12 +19,8 @@ enum { PAINT_COUNT = sizeof paint_sources / sizeof paint_sources[0] };
 
 static GLuint programs[PAINT_COUNT];
 
-/*
- * What a test wishes; in a run for another stage of tables, named in the environment, that one where
- * it wishes none.
- */
-static const struct cupola_gl_params *with_stage(const struct cupola_gl_params *wished,
-                                                 struct cupola_gl_params *params)
+const struct cupola_gl_params *fixture_with_stage(const struct cupola_gl_params *wished,
+                                                  struct cupola_gl_params *params)
 {
     const char *name = getenv("CUPOLA_TEST_TABLE");
     if (!name || (wished && wished->table))
@@ -41,7 +37,7 @@ void fixture_make_of_plan(cupola_plan *plan, const struct cupola_gl_params *gl_p
     struct cupola_gl_params params;
     *fixture = (struct fixture){.plan = plan};
     if (cupola_dome_create(cupola_dome_rig(cupola_plan_dome(plan)), &fixture->dome, &error) < 0 ||
-        cupola_gl_create(plan, with_stage(gl_params, &params), &fixture->gl, &error) < 0)
+        cupola_gl_create(plan, fixture_with_stage(gl_params, &params), &fixture->gl, &error) < 0)
         fail_msg("%s", error.message);
 }
 
@@ -63,7 +59,8 @@ void fixture_replace_gl(struct fixture *fixture, const struct cupola_gl_params *
     struct cupola_error error = {CUPOLA_OK, ""};
     struct cupola_gl_params params;
     cupola_gl_destroy(&fixture->gl);
-    if (cupola_gl_create(fixture->plan, with_stage(gl_params, &params), &fixture->gl, &error) < 0)
+    if (cupola_gl_create(fixture->plan, fixture_with_stage(gl_params, &params), &fixture->gl,
+                         &error) < 0)
         fail_msg("%s", error.message);
 }
 

@@ -6,6 +6,7 @@
 #include "check.h"
 #include "context.h"
 #include "cupola/overlay.h"
+#include "fixture.h"
 #include "rig_random.h"
 
 static void make_picture(struct cupola_source *source, enum cupola_source_kind kind)
@@ -109,8 +110,9 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
     if (!wished.sources)
         wished.sources = 1u << CUPOLA_SOURCE_VIEWS | 1u << CUPOLA_SOURCE_DOMEMASTER |
                          1u << CUPOLA_SOURCE_EQUIRECTANGULAR | 1u << CUPOLA_SOURCE_CUBE;
+    struct cupola_gl_params staged;
     house->storage = wished.storage;
-    return cupola_gl_create(house->plan, &wished, &house->gl, error);
+    return cupola_gl_create(house->plan, fixture_with_stage(&wished, &staged), &house->gl, error);
 }
 
 int guest_import(struct guest_house *house, struct cupola_error *error)

@@ -239,7 +239,9 @@ static struct results all_calls(struct host *host)
     targets_fill();
     be_clean();
     be_hostile(host);
-    check_host(host, true, cupola_gl_create(plan, &params, &gl, NULL), "create");
+    struct cupola_gl_params staged;
+    check_host(host, true, cupola_gl_create(plan, fixture_with_stage(&params, &staged), &gl, NULL),
+               "create");
     check_host(host, true, cupola_theatre_create(dome, &theatre, NULL), "theatre_create");
     be_clean();
     GLuint views = paint_views(gl);
