@@ -164,6 +164,16 @@ static void creation_survives(void **state)
     try_each(&maker, true);
 }
 
+static void creation_of_tiles_survives(void **state)
+{
+    const struct maker maker = {"create, tiles", make_gl, undo_gl, 20};
+    (void)state;
+    params = (struct cupola_gl_params){.table = CUPOLA_TABLE_TILES,
+                                       .sources = 1u << CUPOLA_SOURCE_VIEWS};
+    try_each(&maker, false);
+    try_each(&maker, true);
+}
+
 static void creation_with_samples_survives(void **state)
 {
     const struct maker maker = {"create, several samples", make_gl, undo_gl, 15};
@@ -224,6 +234,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(creation_survives),
+        cmocka_unit_test(creation_of_tiles_survives),
         cmocka_unit_test(creation_with_samples_survives),
         cmocka_unit_test(creation_for_the_hosts_textures_survives),
         cmocka_unit_test(theatres_survive),
