@@ -1,6 +1,6 @@
-"""Tables and plots of the bench's figures: report.py COST.json FOLDER
+"""Tables and plots of the bench's figures: report.py FOLDER COST.json...
 
-Writes FOLDER/cost.md and, where gnuplot is installed, FOLDER/cost-*.png for what varies.
+The files are parts of one report, all from one machine and renderer. Writes FOLDER/cost.md and, where gnuplot is installed, FOLDER/cost-*.png for what varies.
 """
 
 import json
@@ -52,8 +52,10 @@ def heading(comparison):
 def in_short(comparison):
     """What the plain view costs, and the dome's frame as plain views and blits."""
     found = by_name(comparison)
+    run = (f" Medians of {comparison['frames']} frames, "
+           f"load average {comparison['load_average']:.1f}.")
     if "perspective" not in found:
-        return f"A blit: {found['blit']['time_ms'][1]:.2f} ms."
+        return f"A blit: {found['blit']['time_ms'][1]:.2f} ms.{run}"
     plain = found["perspective"]
     text = (f"The perspective view of {comparison['plain_fov_deg']:.0f}°: "
             f"{plain['time_ms'][1]:.2f} ms, {plain['ns_per_pixel']:.1f} ns per pixel.")
@@ -61,7 +63,7 @@ def in_short(comparison):
         rest = found["cupola"]["time_ms"][1] - 1.08 * plain["time_ms"][1]
         blits = rest / found["blit"]["time_ms"][1]
         text += f" Cupola's frame: 1.08 perspective views {'+-'[blits < 0]} {abs(blits):.1f} blits."
-    return text
+    return text + run
 
 
 def row(comparison, contender):
@@ -114,7 +116,7 @@ def points(family, comparisons):
 def plot(family, comparisons, path):
     axis, logarithmic = AXES[family]
     lines = points(family, comparisons)
-    script = ["set terminal pngcairo size 640,400 font 'sans,10'",
+    script = ["set terminal pngcairo size 560,340 font 'sans,10'",
               f"set output '{path}'", "set key outside right", "set grid", "set yrange [0:*]",
               f"set xlabel '{axis}'", "set ylabel 'frame / perspective view'"]
     if logarithmic:
@@ -125,26 +127,39 @@ def plot(family, comparisons, path):
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
 
 
-def machine_lines(report):
-    machine = report["machine"]
+def read_parts(paths):
+    """One report of several, in which each comparison knows its number of frames."""
+    parts = []
+    for path in paths:
+        with open(path, encoding="utf-8") as source:
+            parts.append(json.load(source))
+    for key in ("renderer", "processor", "clock", "llvmpipe_threads"):
+        found = {part["machine"][key] for part in parts}
+        if len(found) > 1:
+            sys.exit(f"report.py: parts of different {key}: {', '.join(sorted(found))}")
+    for part in parts:
+        for comparison in part["comparisons"]:
+            comparison["frames"] = part["frames"]
+    return {"machine": parts[0]["machine"],
+            "comparisons": [one for part in parts for one in part["comparisons"]]}
+
+
+def machine_lines(machine):
     return [
         "# What a dome costs", "",
-        "Made by `script/bench cost`; [benchmarks.md](../../benchmarks.md) says what each figure is.",
+        "Made by `script/bench cost`; docs/benchmarks.md says what each figure is.",
         "",
         f"- renderer: {machine['renderer']}, {machine['gl_version']}",
         f"- processor: {machine['processor']}, {machine['processors']:.0f} of them",
         f"- clock: {machine['clock']}; threads of llvmpipe: {machine['llvmpipe_threads']}",
-        f"- medians of {report['frames']} frames after {report['warm_up']} of warm-up; load average "
-        f"{machine['load_average']:.2f} at the beginning, "
-        f"{report['comparisons'][-1]['load_average']:.2f} at the end", "",
+        "",
     ]
 
 
-def main(path, folder):
-    with open(path, encoding="utf-8") as source:
-        report = json.load(source)
+def main(folder, *paths):
+    report = read_parts(paths)
     os.makedirs(folder, exist_ok=True)
-    lines = machine_lines(report)
+    lines = machine_lines(report["machine"])
     for family, title in TITLES.items():
         comparisons = [one for one in report["comparisons"] if one["family"] == family]
         if not comparisons:
