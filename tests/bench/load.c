@@ -6,15 +6,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIAL_SIZE_PX = 512, TRIAL_FRAMES = 7 };
+enum { TRIAL_FRAMES = 7, TRIAL_MOST_PX = 1024 };
+
+struct trial {
+    int size_px;
+    enum clock clock;
+};
 
 /* What a pixel of the plain view costs; below 0 with one line in `message`. */
-static double cost_ns(const struct load *load, enum clock clock, char *message)
+static double cost_ns(const struct load *load, const struct trial *trial, char *message)
 {
     struct setting setting = {
-        .size_px = TRIAL_SIZE_PX, .fov_rad = 140 * 3.14159265358979323846 / 180, .load = *load};
+        .size_px = trial->size_px, .fov_rad = 140 * 3.14159265358979323846 / 180, .load = *load};
     const struct contender plain = {"perspective", &contender_plain_view, 0};
-    const struct comparison_wishes wishes = {.frames = TRIAL_FRAMES, .warm_up = 2, .clock = clock};
+    const struct comparison_wishes wishes = {
+        .frames = TRIAL_FRAMES, .warm_up = 2, .clock = trial->clock};
     struct result result;
     struct scene *scene = setting_scene(load, message);
     double cost = -1;
@@ -23,45 +29,53 @@ static double cost_ns(const struct load *load, enum clock clock, char *message)
         return -1;
     if (setting_create(&setting, scene, message)) {
         if (compare_contenders(&setting, &plain, 1, &wishes, NULL, &result, message))
-            cost = 1e6 * result.time_ms.median / (TRIAL_SIZE_PX * TRIAL_SIZE_PX);
+            cost = 1e6 * result.time_ms.median / ((double)trial->size_px * trial->size_px);
         setting_destroy(&setting);
     }
     scene->destroy(scene);
     return cost;
 }
 
-/*
- * From the dearest kind of pixel to the cheapest: the first that is cheap enough with one lamp gets
- * as many as it takes. Where none is, the cheapest has to do.
- */
-static const struct scene_wishes kinds[] = {
+/* The first three take lamps; the others are for whom one lamp is too dear. */
+enum { LAMP_KINDS = 3, KINDS = 7, MANY = 17 };
+static const struct scene_wishes kinds[KINDS] = {
     {.shading = SCENE_HEAVY, .lamps = 1},
     {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true},
     {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true, .anisotropy = 1},
+    {.shading = SCENE_LAMBERT, .anisotropy = 4},
+    {.shading = SCENE_LAMBERT, .anisotropy = 2},
     {.shading = SCENE_LAMBERT, .anisotropy = 1},
     {.shading = SCENE_FLAT, .anisotropy = 1},
 };
 
-static bool find_lamps(double wished_ns, enum clock clock, struct load *load, char *message)
+/*
+ * The first kind that is cheap enough with one lamp gets as many as it takes. Where none is, the
+ * one that comes nearest has to do.
+ */
+static bool find_lamps(double wished_ns, const struct trial *trial, struct load *load,
+                       char *message)
 {
-    enum { KINDS = sizeof kinds / sizeof *kinds, MANY = 17 };
-    double one = 0, many, lamps;
+    double one[KINDS], many, lamps;
+    int kind, nearest = 0;
 
-    for (int kind = 0; kind < KINDS; kind++) {
+    for (kind = 0; kind < KINDS; kind++) {
         load->wishes = kinds[kind];
-        one = cost_ns(load, clock, message);
-        if (one < 0)
+        one[kind] = cost_ns(load, trial, message);
+        if (one[kind] <= 0)
             return false;
-        if (one <= wished_ns)
+        if (fabs(log(one[kind] / wished_ns)) < fabs(log(one[nearest] / wished_ns)))
+            nearest = kind;
+        if (kind < LAMP_KINDS && one[kind] <= wished_ns)
             break;
     }
-    if (load->wishes.shading != SCENE_HEAVY)
+    load->wishes = kinds[kind < KINDS ? kind : nearest];
+    if (kind == KINDS)
         return true;
     load->wishes.lamps = MANY;
-    many = cost_ns(load, clock, message);
+    many = cost_ns(load, trial, message);
     if (many < 0)
         return false;
-    lamps = 1 + (wished_ns - one) / fmax((many - one) / (MANY - 1), 1e-3);
+    lamps = 1 + (wished_ns - one[kind]) / fmax((many - one[kind]) / (MANY - 1), 1e-3);
     load->wishes.lamps = (int)lround(fmin(fmax(lamps, 1), SCENE_LAMPS_MAX));
     return true;
 }
@@ -81,12 +95,13 @@ static bool number_after(const char *colon, int least, int most, int *number, ch
     return true;
 }
 
-bool load_find(const char *name, const struct comparison_wishes *wishes, struct load *load,
-               char *message)
+bool load_find(const char *name, const struct comparison_wishes *wishes, int size_px,
+               struct load *load, char *message)
 {
     const char *colon = strchr(name, ':');
     size_t length = colon ? (size_t)(colon - name) : strlen(name);
     char kind[16] = "";
+    struct trial trial = {size_px < TRIAL_MOST_PX ? size_px : TRIAL_MOST_PX, wishes->clock};
     int wished_ns;
 
     memset(load, 0, sizeof *load);
@@ -117,7 +132,7 @@ bool load_find(const char *name, const struct comparison_wishes *wishes, struct 
     }
     if (strcmp(kind, "ns") == 0 && colon)
         return number_after(colon, 1, 1000000, &wished_ns, message) &&
-               find_lamps(wished_ns, wishes->clock, load, message);
+               find_lamps(wished_ns, &trial, load, message);
     snprintf(message, MESSAGE_SIZE,
              "there is no load '%s'; there are light, lambert, directions, heavy[:LAMPS], "
              "forest[:TRIANGLES] and ns:COST",

@@ -7,10 +7,10 @@
 /*
  * light (flat, trilinear), lambert, heavy, heavy:LAMPS, forest:TRIANGLES, directions (colours that
  * change slowly, to judge pictures), or ns:COST: the lamps with which a pixel of the plain view
- * costs so many nanoseconds here, which is measured by the clock of `wishes`. False with one line
- * in `message`.
+ * costs so many nanoseconds here at that size, or what comes nearest; it is measured by the clock
+ * of `wishes`. False with one line in `message`.
  */
-bool load_find(const char *name, const struct comparison_wishes *wishes, struct load *load,
-               char *message);
+bool load_find(const char *name, const struct comparison_wishes *wishes, int size_px,
+               struct load *load, char *message);
 
 #endif

@@ -146,8 +146,8 @@ static bool warp_one(struct bench *bench, struct setting *setting)
     contenders[count++] = (struct contender){"three-frusta", &contender_frusta, 0};
     for (int off_axis = 0; off_axis < 2; off_axis++) {
         setting->off_axis = off_axis;
-        if (!load_find(bench->options.loads[0], &bench->options.wishes, &setting->load,
-                       bench->message) ||
+        if (!load_find(bench->options.loads[0], &bench->options.wishes, setting->size_px,
+                       &setting->load, bench->message) ||
             !compare(bench, setting, &(struct json_heading){.family = family_names[FAMILY_WARP]},
                      contenders, count))
             return false;
@@ -159,8 +159,8 @@ static bool frame_one(struct bench *bench, struct setting *setting)
 {
     for (int i = 0; i < bench->options.load_count; i++) {
         struct setting loaded = *setting;
-        if (!load_find(bench->options.loads[i], &bench->options.wishes, &loaded.load,
-                       bench->message) ||
+        if (!load_find(bench->options.loads[i], &bench->options.wishes, loaded.size_px,
+                       &loaded.load, bench->message) ||
             !compare(bench, &loaded, &(struct json_heading){.family = family_names[FAMILY_FRAME]},
                      frame_contenders, FRAME_CONTENDERS))
             return false;
@@ -179,7 +179,8 @@ static bool sweep(struct bench *bench, enum family family, const char *load, con
         snprintf(name, sizeof name, load, *values);
         if (family == FAMILY_SIZE)
             setting.size_px = *values;
-        if (!load_find(name, &bench->options.wishes, &setting.load, bench->message) ||
+        if (!load_find(name, &bench->options.wishes, setting.size_px, &setting.load,
+                       bench->message) ||
             !compare(bench, &setting, &heading, frame_contenders, FRAME_CONTENDERS))
             return false;
     }
@@ -197,8 +198,8 @@ static bool views(struct bench *bench)
     }
     for (int i = 0; i < bench->options.load_count; i++) {
         struct setting setting = first_setting(&bench->options);
-        if (!load_find(bench->options.loads[i], &bench->options.wishes, &setting.load,
-                       bench->message) ||
+        if (!load_find(bench->options.loads[i], &bench->options.wishes, setting.size_px,
+                       &setting.load, bench->message) ||
             !compare(bench, &setting,
                      &(struct json_heading){family_names[FAMILY_VIEWS], "views", 0}, contenders,
                      CUPOLA_VIEWS_MAX + 1))

@@ -1,6 +1,7 @@
 """Tables and plots of the bench's figures: report.py FOLDER COST.json...
 
-The files are parts of one report, all from one machine and renderer. Writes FOLDER/cost.md and, where gnuplot is installed, FOLDER/cost-*.png for what varies.
+The files are parts of one report, all from one machine and renderer. Writes FOLDER/cost.md and,
+where gnuplot is installed, FOLDER/cost-*.png for what varies.
 """
 
 import json
@@ -16,7 +17,8 @@ AXES = {
     "size": ("side of the output, px", True),
     "views": ("views", False),
 }
-DRAWN = ["cupola", "cupola-vertices", "cupola-3-views", "cupola-5-views", "control", "four-faces", "six-faces",
+DRAWN = ["cupola", "cupola-vertices", "cupola-3-views", "cupola-5-views", "control",
+         "four-faces", "six-faces",
          "six-faces-mesh", "three-frusta"]
 TITLES = {
     "warp": "The warp alone, in blits",
@@ -118,6 +120,7 @@ def plot(family, comparisons, path):
     lines = points(family, comparisons)
     script = ["set terminal pngcairo size 560,340 font 'sans,10'",
               f"set output '{path}'", "set key outside right", "set grid", "set yrange [0:*]",
+              "set autoscale xfix", "set linetype 9 linecolor rgb '#806040'",
               f"set xlabel '{axis}'", "set ylabel 'frame / perspective view'"]
     if logarithmic:
         script.append("set logscale x")

@@ -19,7 +19,7 @@ EXIT_SKIPPED = 77
 def faults_of(comparison, contender):
     place = f"{comparison['family']}, {contender['name']}"
     if not contender["took_part"]:
-        # A theatre with its eye off the axis is more than the others serve, and few views reach far.
+        # The others know no eye off the axis, and few views do not reach far.
         if not comparison["off_axis"] and comparison["family"] != "views":
             yield f"{place}: {contender['skipped']}"
         return
