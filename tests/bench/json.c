@@ -130,6 +130,7 @@ void json_comparison(FILE *file, bool first, const struct json_heading *heading,
     put_number(file, "plain_fov_deg",
                setting_plain_fov_rad(setting) * 180 / 3.14159265358979323846);
     fprintf(file, "\"off_axis\": %s, ", setting->off_axis ? "true" : "false");
+    put_text(file, "table", cupola_table_name((int)setting->gl.table));
     put_text(file, "load", setting->load.name);
     put_text(file, "scene", scene_names[setting->load.kind]);
     put_number(file, "lamps", wishes->shading == SCENE_HEAVY ? wishes->lamps : 0);

@@ -18,8 +18,7 @@ AXES = {
     "views": ("views", False),
 }
 DRAWN = ["cupola", "cupola-vertices", "cupola-3-views", "cupola-5-views", "control",
-         "four-faces", "six-faces",
-         "six-faces-mesh", "three-frusta"]
+         "four-faces", "six-faces", "six-faces-mesh", "three-frusta"]
 TITLES = {
     "warp": "The warp alone, in blits",
     "frame": "Whole frames, in perspective views",
@@ -47,7 +46,7 @@ def heading(comparison):
     if comparison["off_axis"]:
         parts.append("off axis")
     if comparison["family"] != "warp":
-        parts.append(f"load {comparison['load']}")
+        parts.append(f"load {comparison['load']}, table {comparison['table']}")
     return ", ".join(parts)
 
 
