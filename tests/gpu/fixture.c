@@ -19,14 +19,19 @@ enum { PAINT_COUNT = sizeof paint_sources / sizeof paint_sources[0] };
 
 static GLuint programs[PAINT_COUNT];
 
+enum cupola_table fixture_stage(enum cupola_table wished)
+{
+    const char *name = getenv("CUPOLA_TEST_TABLE");
+    return name ? (enum cupola_table)cupola_table_find(name) : wished;
+}
+
 const struct cupola_gl_params *fixture_with_stage(const struct cupola_gl_params *wished,
                                                   struct cupola_gl_params *params)
 {
-    const char *name = getenv("CUPOLA_TEST_TABLE");
-    if (!name || (wished && wished->table))
+    if (wished && wished->table)
         return wished;
     *params = wished ? *wished : (struct cupola_gl_params){.border = {0}};
-    params->table = (enum cupola_table)cupola_table_find(name);
+    params->table = fixture_stage(CUPOLA_TABLE_POINTS);
     return params;
 }
 

@@ -29,9 +29,12 @@ void fixture_make(const struct cupola_rig *rig, const struct cupola_plan_params 
 /* The same from a plan that exists; the fixture takes it over. */
 void fixture_make_of_plan(cupola_plan *plan, const struct cupola_gl_params *gl_params,
                           struct fixture *fixture);
+/* The stage of tables that a run is for, which CUPOLA_TEST_TABLE names; else what is wished. */
+enum cupola_table fixture_stage(enum cupola_table wished);
+
 /*
- * What a test wishes; in a run for another stage of tables, which CUPOLA_TEST_TABLE names, with that
- * one where it wishes none. `params` is room for it.
+ * What a test wishes; in a run for another stage of tables, which CUPOLA_TEST_TABLE names, with
+ * that one where it wishes none. `params` is room for it.
  */
 const struct cupola_gl_params *fixture_with_stage(const struct cupola_gl_params *wished,
                                                   struct cupola_gl_params *params);

@@ -231,7 +231,8 @@ static struct results all_calls(struct host *host)
     cupola_gl *gl = NULL;
     cupola_theatre *theatre = NULL;
     GLuint images[2] = {0, 0};
-    const struct cupola_gl_params params = {.table = CUPOLA_TABLE_SINES, .overlays = true};
+    const struct cupola_gl_params params = {.table = fixture_stage(CUPOLA_TABLE_SINES),
+                                            .overlays = true};
     const struct cupola_plan_report *report = cupola_plan_report(plan);
     struct cupola_target target = {target_framebuffer(TARGET_FLOAT), 1, 2};
 
@@ -239,9 +240,7 @@ static struct results all_calls(struct host *host)
     targets_fill();
     be_clean();
     be_hostile(host);
-    struct cupola_gl_params staged;
-    check_host(host, true, cupola_gl_create(plan, fixture_with_stage(&params, &staged), &gl, NULL),
-               "create");
+    check_host(host, true, cupola_gl_create(plan, &params, &gl, NULL), "create");
     check_host(host, true, cupola_theatre_create(dome, &theatre, NULL), "theatre_create");
     be_clean();
     GLuint views = paint_views(gl);
