@@ -1,6 +1,6 @@
 /*
- * What a view may see of spheres and boxes: each plane of frustum and borders by itself, so what is beyond
- * none of them counts as seen, even where it misses an edge or a corner.
+ * What a view may see of spheres and boxes: each plane of frustum and borders by itself, so what is
+ * beyond none of them counts as seen, even where it misses an edge or a corner.
  */
 #include <math.h>
 

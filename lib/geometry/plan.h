@@ -328,8 +328,8 @@ struct plan_exact {
 
 /*
  * Fits a choice at every pixel, for the rig's eye and a sphere round it. A view that nothing lit
- * falls to, or with `sampled` no pixel's middle, is left out, and the others take its part. CUPOLA_OK, CUPOLA_ERROR_LAYOUT
- * where a ray is out of reach after all, CUPOLA_ERROR_MEMORY.
+ * falls to, or with `sampled` no pixel's middle, is left out, and the others take its part.
+ * CUPOLA_OK, CUPOLA_ERROR_LAYOUT where a ray is out of reach after all, CUPOLA_ERROR_MEMORY.
  */
 int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
                    const struct cupola_plan_params *params, bool sampled, struct plan_exact *exact);

@@ -1,4 +1,4 @@
-/* Between the two halves of the exact fit: plan_exact.c looks at cells, plan_exact_fit.c at views. */
+/* Between the two halves of the exact fit: plan_exact.c looks at cells, plan_exact_fit.c views. */
 #ifndef PLAN_EXACT_H
 #define PLAN_EXACT_H
 

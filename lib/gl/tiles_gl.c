@@ -1,7 +1,8 @@
 /*
  * Tiles in the GL: their buffers, their programs and how they are drawn: as points, a vertex each,
- * which costs a software rasteriser a fifth of what two triangles do. A point whose middle is beyond
- * the viewport is not drawn, so the viewport is of whole tiles, and the scissor rectangle cuts it.
+ * which costs a software rasteriser a fifth of what two triangles do. A point whose middle is
+ * beyond the viewport is not drawn, so the viewport is of whole tiles, and the scissor rectangle
+ * cuts it.
  */
 #include <stddef.h>
 #include <stdio.h>

@@ -60,9 +60,9 @@ static double direction_error(const cupola_plan *plan, const float *image,
 }
 
 /*
- * Bilinear mixing of directions d rad apart errs by d^2 / 8; images of a hundred pixels have d up to
- * 0.04 where an eye off the axis comes near to the screen, so views are 1.5 times as dense here. The
- * bar is 0.01 degrees.
+ * Bilinear mixing of directions d rad apart errs by d^2 / 8; images of a hundred pixels have d up
+ * to 0.04 where an eye off the axis comes near to the screen, so views are 1.5 times as dense here.
+ * The bar is 0.01 degrees.
  */
 static void the_color_of_a_direction_is_the_direction_of_the_ray(void **state)
 {
