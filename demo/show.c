@@ -358,7 +358,8 @@ bool show_draw(struct show *show, const struct show_frame *frame, char *message)
     struct frame_times times = {0};
     double start_ms;
 
-    frame->scene->drawn = (struct scene_counts){0, 0};
+    if (frame->scene)
+        frame->scene->drawn = (struct scene_counts){0, 0};
     phase_ms(frame, 0);
     start_ms = now_ms();
     if (!frame->source && !draw_scene(show, frame, &error))

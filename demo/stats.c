@@ -138,6 +138,9 @@ static void write_object(struct stats *stats, const struct show *show, const str
         .texels_sampled_per_pixel = 1,
     };
     const struct cupola_plan_report *report = show_report(show);
+    /* Films have no scene. */
+    const struct scene_counts whole = scene ? scene->whole : (struct scene_counts){0, 0};
+    const struct scene_counts drawn = scene ? scene->drawn : (struct scene_counts){0, 0};
     struct rusage usage = {0};
 
     if (!report)
@@ -154,10 +157,10 @@ static void write_object(struct stats *stats, const struct show *show, const str
     fprintf(file, "  \"texels_allocated_per_pixel\": %.6g,\n", report->texels_allocated_per_pixel);
     fprintf(file, "  \"texels_shaded_per_pixel\": %.6g,\n", report->texels_shaded_per_pixel);
     fprintf(file, "  \"texels_sampled_per_pixel\": %.6g,\n", report->texels_sampled_per_pixel);
-    fprintf(file, "  \"triangles\": %ld,\n", scene->whole.triangles);
-    fprintf(file, "  \"triangles_drawn\": %ld,\n", scene->drawn.triangles);
-    fprintf(file, "  \"instances\": %ld,\n", scene->whole.instances);
-    fprintf(file, "  \"instances_drawn\": %ld,\n", scene->drawn.instances);
+    fprintf(file, "  \"triangles\": %ld,\n", whole.triangles);
+    fprintf(file, "  \"triangles_drawn\": %ld,\n", drawn.triangles);
+    fprintf(file, "  \"instances\": %ld,\n", whole.instances);
+    fprintf(file, "  \"instances_drawn\": %ld,\n", drawn.instances);
     /* Linux counts in kibibytes. */
     fprintf(file, "  \"peak_rss_bytes\": %.0f\n}\n", (double)usage.ru_maxrss * 1024);
 }

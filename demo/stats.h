@@ -25,9 +25,10 @@ void stats_add_frame(struct stats *stats, const struct frame_times *times);
 void stats_time_tables(struct stats *stats, const struct show *show);
 
 /*
- * Writes the object, with the scene's counts of the last frame: to stdout, or to a file beside the
- * wished one that stats_keep then gives its name to, so that a picture that fails in between leaves
- * no statistics behind. Both return false with one line in `message`, MESSAGE_SIZE bytes.
+ * Writes the object, with the scene's counts of the last frame (NULL: 0): to stdout, or to a file
+ * beside the wished one that stats_keep then gives its name to, so that a picture that fails in
+ * between leaves no statistics behind. Both return false with one line in `message`, MESSAGE_SIZE
+ * bytes.
  */
 bool stats_write(struct stats *stats, const struct show *show, const struct scene *scene,
                  const char *renderer, char *message);
