@@ -7,7 +7,8 @@
  *   plan_samples   samples in rings or on the grid
  *   plan_ellipse   the least texel metric that satisfies every footprint of a view
  *   plan_cost      what a candidate costs, on the samples
- *   plan_families  where the search for rotated views begins
+ *   plan_families  where the search for rotated views begins: rings
+ *   plan_spread    the same where rings will not do
  *   plan_search    the search, for rotated views
  *   plan_make      which layouts and numbers of views are searched
  *   plan_strips    one plane divided into views: the asymmetric layout
@@ -209,6 +210,8 @@ struct plan_prices {
     double vertices;  /* of all vertices round the eye once, in shaded texels */
     double allocated; /* of a texel that is allocated, shaded or not */
     bool unmasked;    /* the whole rectangle is shaded */
+    /* Of the largest angle between a view's axis and a sample that falls to it, cosine. */
+    double reach_cosine;
 };
 
 /* What a view comes to on the samples. */
@@ -281,6 +284,11 @@ int plan_families(int least_views, int most_views, double half_rad,
 /* Places a family's views on the samples; selectors are their axes. False: no memory. */
 bool plan_family_place(const struct plan_family *family, const struct plan_samples *samples,
                        struct plan_state *state);
+
+/* Moves axes so that no sample is far from one; selectors are the axes. */
+void plan_spread_out(const struct plan_samples *samples, struct plan_state *state);
+/* Places views so, from the mean direction on. */
+void plan_spread_place(const struct plan_samples *samples, int views, struct plan_state *state);
 
 /* Views that a search found. */
 struct plan_choice {

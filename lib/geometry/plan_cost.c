@@ -145,7 +145,7 @@ static void fit_view(const struct plan_samples *samples, const struct plan_price
         count++;
         fit->samples += member->view == v;
     }
-    fit->out_of_reach = larger(PLAN_REACH_COSINE - 1e-9 - least, 0);
+    fit->out_of_reach = larger(prices->reach_cosine - 1e-9 - least, 0);
     if (fit->samples == 0 || fit->out_of_reach > 0)
         return;
     struct plan_metric x = state->orientation ? plan_enclose_upright(scratch->footprints, count)

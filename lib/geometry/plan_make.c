@@ -33,7 +33,7 @@ static int usual_views(double opening_rad)
 }
 
 static struct plan_question ask(const struct planning *planning, enum cupola_layout layout,
-                                int views)
+                                int views, double reach_cosine)
 {
     const struct cupola_plan_params *params = &planning->params;
     double pixels = planning->fine.pixels;
@@ -45,7 +45,8 @@ static struct plan_question ask(const struct planning *planning, enum cupola_lay
                    .view = params->cost.view * pixels,
                    .vertices = params->cost.vertices * pixels,
                    .allocated = params->cost.texel_allocated,
-                   .unmasked = params->unmasked},
+                   .unmasked = params->unmasked,
+                   .reach_cosine = reach_cosine},
         .least_views = views ? views : 1,
         .most_views = views ? views : CUPOLA_VIEWS_MAX,
     };
@@ -72,9 +73,10 @@ static int fit_cheapest(struct planning *planning, bool sampled)
     return status;
 }
 
-int planning_solve(struct planning *planning, enum cupola_layout layout, int views)
+static int solve_within(struct planning *planning, enum cupola_layout layout, int views,
+                        double reach_cosine)
 {
-    struct plan_question question = ask(planning, layout, views);
+    struct plan_question question = ask(planning, layout, views, reach_cosine);
     int status = CUPOLA_OK;
     for (int i = 0; i < PLAN_CHOICES; i++)
         planning->choices[i].count = 0;
@@ -86,4 +88,14 @@ int planning_solve(struct planning *planning, enum cupola_layout layout, int vie
         return status;
     status = fit_cheapest(planning, true);
     return status == CUPOLA_ERROR_LAYOUT ? fit_cheapest(planning, false) : status;
+}
+
+int planning_solve(struct planning *planning, enum cupola_layout layout, int views)
+{
+    /* Between samples rays may be farther off than any of them: once more, with more to spare. */
+    static const double cautious_cosine = 0.276; /* 74 degrees */
+    int status = solve_within(planning, layout, views, PLAN_REACH_COSINE);
+    if (status == CUPOLA_ERROR_LAYOUT && layout != CUPOLA_LAYOUT_ASYMMETRIC)
+        status = solve_within(planning, layout, views, cautious_cosine);
+    return status;
 }

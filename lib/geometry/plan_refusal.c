@@ -6,32 +6,24 @@
 #include "plan.h"
 #include "vector.h"
 
-/* The widest cell of each output, as seen by the eye. */
-struct widest {
-    const struct plan_rays *rays;
-    double angle_rad[CUPOLA_OUTPUTS_MAX];
-};
-
-static void widen(const struct plan_grid *grid, const struct plan_ray *const corners[4], void *user)
+/* The largest angle that a pixel spans, rad. */
+static double steepest_pixel(const struct projector *projector)
 {
-    struct widest *widest = user;
-    double *angle = &widest->angle_rad[grid - widest->rays->grids];
-    for (int i = 0; i < 2; i++) {
-        double across[3];
-        cross3(corners[i]->seen.at, corners[i + 2]->seen.at, across);
-        *angle = fmax(*angle,
-                      atan2(length3(across), dot3(corners[i]->seen.at, corners[i + 2]->seen.at)));
+    enum { STEPS = 64 };
+    double steepest = 0;
+    for (int i = 0; i <= STEPS; i++) {
+        double r = (double)i / STEPS, angle = lens_angle(&projector->lens, r);
+        steepest = fmax(steepest, lens_angle_slope(&projector->lens, r, angle));
     }
+    return steepest / projector->radius_px;
 }
 
-/* The output whose lens spreads a part of its image farthest. */
-static int steepest_output(const struct plan_rays *rays)
+/* The output whose lens spreads a pixel farthest. */
+static int steepest_output(const cupola_dome *dome)
 {
-    struct widest widest = {.rays = rays};
     int steepest = 0;
-    plan_rays_visit(rays, widen, &widest);
-    for (int i = 1; i < rays->count; i++)
-        if (widest.angle_rad[i] > widest.angle_rad[steepest])
+    for (int i = 1; i < dome->rig.output_count; i++)
+        if (steepest_pixel(&dome->projectors[i]) > steepest_pixel(&dome->projectors[steepest]))
             steepest = i;
     return steepest;
 }
@@ -72,15 +64,8 @@ static int widest_degrees(const struct planning *planning, int output)
 /* The lens because of which not even CUPOLA_VIEWS_MAX rotated views reach every ray. */
 static int refuse_lens(const struct planning *planning, struct cupola_error *error)
 {
-    enum { CELLS = 32 };
-    struct plan_rays rays;
     const cupola_dome *dome = planning->dome;
-    int cells = (int)(CELLS * sqrt(dome->rig.output_count));
-    int status = plan_rays_gather(dome, dome->rig.eye_m, cells, &rays, error);
-    if (status != CUPOLA_OK)
-        return status;
-    int output = steepest_output(&rays);
-    plan_rays_release(&rays);
+    int output = steepest_output(dome);
     const char *name = cupola_lens_model_name((int)dome->rig.outputs[output].lens.model);
     double fov_rad = dome->projectors[output].lens.half_fov * 2;
     int allowed = widest_degrees(planning, output);

@@ -164,10 +164,13 @@ static void descend_views(struct search *search, double step, double stop, int m
     }
 }
 
+/* Beyond it rings may begin far from what they come to. */
+static const double wide_rad = 91 * (pi / 180);
+
 /* A family that begins this much dearer than the best one found is left out. */
 static double hopeless(const struct plan_samples *samples)
 {
-    return samples->half_rad < 91 * (pi / 180) ? 1.5 : 4;
+    return samples->half_rad < wide_rad ? 1.5 : 4;
 }
 
 enum { FINALISTS = 3, MOVES_MAX = 150 };
@@ -188,6 +191,14 @@ static void insert_finalist(struct finalist finalists[FINALISTS], const struct f
             finalists[i] = moved;
             moved = worse;
         }
+}
+
+static void add_finalist(const struct search *search, const struct plan_family *family,
+                         struct finalist finalists[FINALISTS])
+{
+    struct finalist found = {.family = *family, .cost = search->now.cost};
+    memcpy(found.views, search->now.views, sizeof found.views);
+    insert_finalist(finalists, &found);
 }
 
 /* Families come in pairs, by the phase of their outermost ring: places the better one. */
@@ -218,8 +229,6 @@ static bool run_families(struct search *search, const struct plan_question *ques
     const struct plan_samples *samples = search->samples;
     int count =
         plan_families(question->least_views, question->most_views, samples->half_rad, families);
-    for (int i = 0; i < FINALISTS; i++)
-        finalists[i].cost = PLAN_IMPOSSIBLE * 1e3;
     for (int f = 0; f + 1 < count; f += 2) {
         int better;
         if (!place_better_phase(search, &families[f], &better))
@@ -228,10 +237,41 @@ static bool run_families(struct search *search, const struct plan_question *ques
             continue;
         const struct plan_family *family = &families[f + better];
         descend_rings(search, family, 0.12 * samples->half_rad, 0.03 * samples->half_rad);
-        struct finalist found = {.family = *family, .cost = search->now.cost};
-        memcpy(found.views, search->now.views, sizeof found.views);
-        insert_finalist(finalists, &found);
+        add_finalist(search, family, finalists);
     }
+    return true;
+}
+
+/* Views that are spread out, not in rings: of as many as there may be, and fewer while that pays. */
+static void run_spread(struct search *search, const struct plan_question *question,
+                       struct finalist finalists[FINALISTS])
+{
+    const struct plan_samples *samples = search->samples;
+    double least = PLAN_IMPOSSIBLE * 1e2;
+    for (int k = question->most_views; k >= question->least_views; k--) {
+        const struct plan_family family = {.count = k};
+        double step = 0.12 * samples->half_rad / sqrt(k);
+        plan_spread_place(samples, k, &search->now);
+        evaluate(search, &search->now);
+        balance(search);
+        if (search->now.cost < PLAN_IMPOSSIBLE)
+            descend_views(search, step, 0.5 * step, MOVES_MAX / 2);
+        add_finalist(search, &family, finalists);
+        if (!(search->now.cost < least))
+            return;
+        least = search->now.cost;
+    }
+}
+
+static bool run_all(struct search *search, const struct plan_question *question,
+                    struct finalist finalists[FINALISTS])
+{
+    for (int i = 0; i < FINALISTS; i++)
+        finalists[i].cost = PLAN_IMPOSSIBLE * 1e3;
+    if (!run_families(search, question, finalists))
+        return false;
+    if (search->samples->half_rad > wide_rad || !(finalists[0].cost < PLAN_IMPOSSIBLE))
+        run_spread(search, question, finalists);
     return true;
 }
 
@@ -280,6 +320,8 @@ static void conclude(const struct search *search, const struct plan_family *fami
                                  .drawn_cost = state->drawn_cost,
                                  .cost = state->cost};
     int length = 0;
+    if (family->rings == 0)
+        snprintf(choice.family, sizeof choice.family, "free %d", family->count);
     for (int ring = 0; ring < family->rings; ring++)
         length += snprintf(choice.family + length, sizeof choice.family - (size_t)length, "%s%d",
                            ring > 0 ? "+" : "", family->views[ring]);
@@ -296,7 +338,7 @@ int plan_search(const struct plan_question *question, struct plan_choice choices
     struct finalist finalists[FINALISTS];
     bool done = search_create(question->coarse, &question->prices, &first) &&
                 search_create(question->fine, &question->prices, &second) &&
-                run_families(&first, question, finalists);
+                run_all(&first, question, finalists);
     for (int f = 0; f < FINALISTS && done && finalists[f].cost < PLAN_IMPOSSIBLE * 1e3; f++) {
         improve(&second, &finalists[f]);
         conclude(&second, &finalists[f].family, choices);

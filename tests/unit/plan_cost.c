@@ -176,7 +176,8 @@ static void no_ring_of_any_tilt_is_cheaper_by_3_percent(void **state)
         const struct plan_prices prices = {.density = 1.0,
                                            .guard_px = 2.0,
                                            .view = 0.005 * planning.fine.pixels,
-                                           .allocated = 0.05};
+                                           .allocated = 0.05,
+                                           .reach_cosine = PLAN_REACH_COSINE};
         double found = planning.choices[0].cost, brute = brute_force(&planning, &prices);
         if (!(found <= 1.03 * brute))
             fail_msg("rig %d: %s costs %.4f of the best ring", i, planning.choices[0].family,
