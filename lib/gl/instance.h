@@ -78,6 +78,7 @@ struct cupola_gl {
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
     struct cupola_frame frame;
     bool frame_begun;
+    unsigned int views_begun; /* in this frame: 1 << index of each */
     bool view_open;
     struct cupola_rect open_rect;   /* of that view */
     struct host_target host_target; /* while a view is open, unless the state is left */

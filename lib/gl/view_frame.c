@@ -26,6 +26,7 @@ static int frame_begin(cupola_gl *gl, const struct cupola_frame *frame, struct c
         return status;
     gl->frame = wished;
     gl->frame_begun = true;
+    gl->views_begun = 0;
     return gl->plan.view_count;
 }
 
@@ -38,7 +39,7 @@ int cupola_gl_frame_begin(cupola_gl *gl, const struct cupola_frame *frame,
 }
 
 /* Colour in linear light, depth to the far end, stencil to 0. */
-static void clear_view(const cupola_gl *gl)
+static void clear_area(const cupola_gl *gl)
 {
     const struct cupola_frame *frame = &gl->frame;
     const GLfloat farthest = frame->depth.reversed ? 0 : 1;
@@ -53,6 +54,24 @@ static void clear_view(const cupola_gl *gl)
         glClearBufferfv(GL_DEPTH, 0, &farthest);
     if (stencil && kept)
         host_stencil_mask(stencil_mask);
+}
+
+/*
+ * The first view of a frame clears the whole atlas: most GLs only note that all of a framebuffer is
+ * clear, but draw where a part of it is to be. A view that begins again clears its own part.
+ */
+static void clear_views(cupola_gl *gl, int index)
+{
+    const struct cupola_plan_report *report = &gl->plan.report;
+    struct cupola_rect area = {0, 0, report->atlas_width_px, report->atlas_height_px};
+    unsigned int view = 1u << index;
+    if (gl->views_begun & view)
+        area = gl->plan.views[index].rect;
+    if (!gl->views_begun || gl->views_begun & view) {
+        host_set_area(&gl->features, area.x, area.y, area.width, area.height);
+        clear_area(gl);
+    }
+    gl->views_begun |= view;
 }
 
 static int view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
@@ -77,8 +96,7 @@ static int view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
     gl->host_target = work.state.target;
     gl->view_grouped = work.grouped;
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
-    host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);
-    clear_view(gl);
+    clear_views(gl, index);
     host_state_restore(&work.state); /* the group stays open for what the host draws */
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
     host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);

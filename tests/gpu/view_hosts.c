@@ -1,12 +1,13 @@
 /*
- * What hosts do between view_begin and view_end: they delete what was bound before, and they change
- * what the view's framebuffer is read from.
+ * What hosts do between view_begin and view_end: they delete what was bound before, they change what
+ * the view's framebuffer is read from, and they begin a view once more.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "group.h"
 #include "rig_random.h"
+#include "triangles.h"
 
 enum { SIZE = 48 };
 
@@ -57,6 +58,57 @@ static void a_framebuffer_deleted_within_a_view_is_bound_no_more(void **state)
             check_deleted(samples, which & 1, which & 2);
 }
 
+/* The view's middle has this colour. */
+static void check_view(struct fixture *fixture, int view, const GLfloat color[4])
+{
+    const struct cupola_rect *rect = &cupola_plan_view(fixture->plan, view)->rect;
+    int x = rect->x + rect->width / 2, y = rect->y + rect->height / 2;
+    int width = cupola_plan_report(fixture->plan)->atlas_width_px;
+    float *atlas = fixture_atlas(fixture);
+    for (int c = 0; c < 4; c++)
+        check_near(atlas[4 * (y * width + x) + c], color[c], 1e-6);
+    free(atlas);
+}
+
+/* A wall over all of the view. */
+static void draw_wall(struct fixture *fixture, const struct triangles *triangles, int view,
+                      double distance, const GLfloat color[4])
+{
+    const double nearness[3] = {1 / distance, 0, 0};
+    struct cupola_gl_view begun;
+    float points[6][3];
+    plane_over_view(fixture->plan, view, nearness, points);
+    assert_int_equal(cupola_gl_view_begin(fixture->gl, view, &begun, NULL), CUPOLA_OK);
+    glEnable(GL_DEPTH_TEST);
+    triangles_draw(triangles, &begun.camera, color, points, 6);
+    glDisable(GL_DEPTH_TEST);
+    assert_int_equal(cupola_gl_view_end(fixture->gl, NULL), CUPOLA_OK);
+}
+
+static void a_view_that_begins_again_is_cleared_alone(void **state)
+{
+    static const GLfloat red[] = {1, 0, 0, 1}, green[] = {0, 1, 0, 1}, none[] = {0, 0, 0, 0};
+    struct fixture fixture;
+    (void)state;
+    make(&fixture, 1);
+    const struct triangles triangles = triangles_create();
+    for (int frame = 0; frame < 2; frame++) {
+        assert_true(cupola_gl_frame_begin(fixture.gl, NULL, NULL) > 1);
+        draw_wall(&fixture, &triangles, 1, 3, green);
+        draw_wall(&fixture, &triangles, 0, 2, red);
+        check_view(&fixture, 0, red);
+        check_view(&fixture, 1, green);
+        draw_wall(&fixture, &triangles, 0, 4, green); /* behind what was there */
+        check_view(&fixture, 0, green);
+        assert_int_equal(cupola_gl_view_begin(fixture.gl, 1, NULL, NULL), CUPOLA_OK);
+        assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
+        check_view(&fixture, 0, green);
+        check_view(&fixture, 1, none);
+    }
+    triangles_release(&triangles);
+    fixture_release(&fixture);
+}
+
 static void a_view_is_resolved_whatever_the_host_reads(void **state)
 {
     static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_NONE, GL_COLOR_ATTACHMENT1};
@@ -64,18 +116,13 @@ static void a_view_is_resolved_whatever_the_host_reads(void **state)
     struct fixture fixture;
     (void)state;
     make(&fixture, 2);
-    const struct cupola_rect *rect = &cupola_plan_view(fixture.plan, 0)->rect;
-    int width = cupola_plan_report(fixture.plan)->atlas_width_px;
     for (int i = 0; i < 3; i++) {
         assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, NULL, NULL), CUPOLA_OK);
         glClearBufferfv(GL_COLOR, 0, colors[i]);
         glReadBuffer(buffers[i]);
         assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
         assert_int_equal(glGetError(), GL_NO_ERROR);
-        float *atlas = fixture_atlas(&fixture);
-        for (int c = 0; c < 4; c++)
-            check_near(atlas[4 * ((rect->y + 2) * width + rect->x + 2) + c], colors[i][c], 1e-6);
-        free(atlas);
+        check_view(&fixture, 0, colors[i]);
     }
     fixture_release(&fixture);
 }
@@ -84,6 +131,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_framebuffer_deleted_within_a_view_is_bound_no_more),
+        cmocka_unit_test(a_view_that_begins_again_is_cleared_alone),
         cmocka_unit_test(a_view_is_resolved_whatever_the_host_reads),
     };
     return run_gpu_group("view_hosts", tests);

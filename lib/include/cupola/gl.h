@@ -194,7 +194,8 @@ struct cupola_gl_view {
  * Begins one view: clears its colour, depth and stencil (the host must not clear it), binds its
  * framebuffer and sets viewport and scissor rectangle to it. view_end puts back what the host had.
  *
- * index    0 to the number of views - 1, in any order, each as often as wished
+ * index    0 to the number of views - 1, in any order, each as often as wished; what a view shows
+ *          that a frame does not begin is not defined
  * view     out; may be NULL; untouched on failure
  * error    may be NULL
  * returns  CUPOLA_OK
