@@ -36,6 +36,8 @@ struct contender {
 
 /* One plain view, straight into the target. */
 extern const struct contender_kind contender_plain_view;
+/* The same, with nothing drawn. */
+extern const struct contender_kind contender_plain_clear;
 /* A texture of the output's size, drawn over all of it bilinearly. */
 extern const struct contender_kind contender_blit;
 
@@ -46,6 +48,14 @@ extern const struct contender_kind contender_cupola;
 extern const struct contender_kind contender_stage;
 /* The views of Cupola's own choice, and a warp that computes nothing. */
 extern const struct contender_kind contender_control;
+
+/*
+ * Parts of such a frame: its views begun and ended, but nothing drawn; its views, never warped;
+ * and the warp of views that were drawn once.
+ */
+extern const struct contender_kind contender_cupola_clear;
+extern const struct contender_kind contender_cupola_views;
+extern const struct contender_kind contender_cupola_warp;
 
 /* 4 or 6 full faces of a cube; by trigonometry in the shader, or by a mesh. */
 enum cube_variant { CUBE_4_TRIGONOMETRY, CUBE_6_TRIGONOMETRY, CUBE_6_MESH };

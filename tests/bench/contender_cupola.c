@@ -91,9 +91,8 @@ static void *control_prepare(const struct setting *setting, int variant, char *m
     return frames;
 }
 
-static bool frames_views(void *self)
+static bool visit_views(struct cupola_frames *frames, bool drawn)
 {
-    struct cupola_frames *frames = self;
     struct scene *scene = frames->setting->scene;
     struct cupola_frame begin = {.depth = frames->setting->depth};
     struct cupola_gl_view view;
@@ -105,11 +104,34 @@ static bool frames_views(void *self)
     for (int i = 0; i < views; i++) {
         if (cupola_gl_view_begin(frames->gl, i, &view, NULL) < 0)
             return false;
-        scene->draw(scene, &(struct scene_camera){&view.camera, frames->setting->host, false});
+        if (drawn)
+            scene->draw(scene, &(struct scene_camera){&view.camera, frames->setting->host, false});
         if (cupola_gl_view_end(frames->gl, NULL) < 0)
             return false;
     }
     return views > 0;
+}
+
+static bool frames_views(void *self)
+{
+    return visit_views(self, true);
+}
+
+/* The views are drawn once, and then only warped. */
+static void *warp_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_frames *frames = views_prepare(setting, variant, message);
+
+    if (!frames || visit_views(frames, true))
+        return frames;
+    snprintf(message, MESSAGE_SIZE, "the views cannot be drawn");
+    frames_release(frames);
+    return NULL;
+}
+
+static bool frames_clear(void *self)
+{
+    return visit_views(self, false);
 }
 
 static bool frames_warp(void *self)
@@ -149,6 +171,13 @@ static void frames_facts(const void *self, struct contender_facts *facts)
     snprintf(facts->note, sizeof facts->note, "%.31s: %.200s", report->family, report->reason);
 }
 
+/* A part of a frame shows nothing. */
+static void part_facts(const void *self, struct contender_facts *facts)
+{
+    frames_facts(self, facts);
+    facts->shows = SHOWS_NOTHING;
+}
+
 const struct contender_kind contender_cupola = {.prepare = views_prepare,
                                                 .views = frames_views,
                                                 .warp = frames_warp,
@@ -164,3 +193,13 @@ const struct contender_kind contender_control = {.prepare = control_prepare,
                                                  .warp = control_warp,
                                                  .facts = frames_facts,
                                                  .release = frames_release};
+const struct contender_kind contender_cupola_clear = {.prepare = views_prepare,
+                                                      .views = frames_clear,
+                                                      .facts = part_facts,
+                                                      .release = frames_release};
+const struct contender_kind contender_cupola_views = {.prepare = views_prepare,
+                                                      .views = frames_views,
+                                                      .facts = part_facts,
+                                                      .release = frames_release};
+const struct contender_kind contender_cupola_warp = {
+    .prepare = warp_prepare, .warp = frames_warp, .facts = frames_facts, .release = frames_release};

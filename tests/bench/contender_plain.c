@@ -47,6 +47,16 @@ static bool plain_views(void *self)
     return true;
 }
 
+static bool plain_clear(void *self)
+{
+    const struct plain_view *plain = self;
+    const struct setting *setting = plain->setting;
+
+    glBindFramebuffer(GL_FRAMEBUFFER, setting->target.framebuffer);
+    setting_clear(setting, setting->size_px, setting->size_px);
+    return true;
+}
+
 static void plain_facts(const void *self, struct contender_facts *facts)
 {
     const struct plain_view *plain = self;
@@ -58,6 +68,15 @@ static void plain_facts(const void *self, struct contender_facts *facts)
 
 const struct contender_kind contender_plain_view = {
     .prepare = plain_prepare, .views = plain_views, .facts = plain_facts, .release = free};
+
+static void clear_facts(const void *self, struct contender_facts *facts)
+{
+    plain_facts(self, facts);
+    facts->shows = SHOWS_NOTHING;
+}
+
+const struct contender_kind contender_plain_clear = {
+    .prepare = plain_prepare, .views = plain_clear, .facts = clear_facts, .release = free};
 
 struct blit {
     const struct setting *setting;

@@ -40,6 +40,22 @@ static const struct contender frame_contenders[] = {
     {"three-frusta", &contender_frusta, 0},
 };
 
+/* Where a frame's time goes: clears alone, views without a warp, a warp without views. */
+static const struct contender part_contenders[] = {
+    {"perspective", &contender_plain_view, 0},
+    {"perspective-clear", &contender_plain_clear, 0},
+    {"blit", &contender_blit, 0},
+    {"cupola", &contender_cupola, 0},
+    {"cupola-clear", &contender_cupola_clear, 0},
+    {"cupola-views", &contender_cupola_views, 0},
+    {"cupola-warp", &contender_cupola_warp, 0},
+    {"cupola-unmasked", &contender_cupola, CUPOLA_UNMASKED},
+    {"cupola-unmasked-clear", &contender_cupola_clear, CUPOLA_UNMASKED},
+    {"cupola-unmasked-views", &contender_cupola_views, CUPOLA_UNMASKED},
+};
+
+enum { PART_CONTENDERS = sizeof part_contenders / sizeof *part_contenders };
+
 enum { FRAME_CONTENDERS = sizeof frame_contenders / sizeof *frame_contenders };
 
 static bool take_scene(struct bench *bench, const struct load *load)
@@ -155,17 +171,29 @@ static bool warp_one(struct bench *bench, struct setting *setting)
     return true;
 }
 
-static bool frame_one(struct bench *bench, struct setting *setting)
+/* One comparison for each load. */
+static bool each_load(struct bench *bench, const struct setting *setting, enum family family,
+                      const struct contender *contenders, int count)
 {
     for (int i = 0; i < bench->options.load_count; i++) {
         struct setting loaded = *setting;
         if (!load_find(bench->options.loads[i], &bench->options.wishes, loaded.size_px,
                        &loaded.load, bench->message) ||
-            !compare(bench, &loaded, &(struct json_heading){.family = family_names[FAMILY_FRAME]},
-                     frame_contenders, FRAME_CONTENDERS))
+            !compare(bench, &loaded, &(struct json_heading){.family = family_names[family]},
+                     contenders, count))
             return false;
     }
     return true;
+}
+
+static bool frame_one(struct bench *bench, struct setting *setting)
+{
+    return each_load(bench, setting, FAMILY_FRAME, frame_contenders, FRAME_CONTENDERS);
+}
+
+static bool parts_one(struct bench *bench, struct setting *setting)
+{
+    return each_load(bench, setting, FAMILY_PARTS, part_contenders, PART_CONTENDERS);
 }
 
 /* Frames against one thing that varies: the load by its number, or the size. */
@@ -220,6 +248,8 @@ static bool run_family(struct bench *bench, enum family family)
         return each_setting(bench, warp_one);
     case FAMILY_FRAME:
         return each_setting(bench, frame_one);
+    case FAMILY_PARTS:
+        return each_setting(bench, parts_one);
     case FAMILY_LAMPS:
         return sweep(bench, family, "heavy:%d", lamps);
     case FAMILY_TRIANGLES:

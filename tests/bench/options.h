@@ -9,6 +9,7 @@ enum { LIST_MAX = 16 };
 enum family {
     FAMILY_WARP,
     FAMILY_FRAME,
+    FAMILY_PARTS,
     FAMILY_LAMPS,
     FAMILY_TRIANGLES,
     FAMILY_VIEWS,

@@ -84,10 +84,9 @@ double setting_plain_fov_rad(const struct setting *setting)
     return fmin(setting->fov_rad, plain_fov_most_rad);
 }
 
-void setting_draw(const struct setting *setting, const struct cupola_camera *camera, int width,
-                  int height)
+void setting_clear(const struct setting *setting, int width, int height)
 {
-    struct scene *scene = setting->scene;
+    const struct scene *scene = setting->scene;
 
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
@@ -95,5 +94,13 @@ void setting_draw(const struct setting *setting, const struct cupola_camera *cam
     glClearColor(scene->clear_color[0], scene->clear_color[1], scene->clear_color[2],
                  scene->clear_color[3]);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void setting_draw(const struct setting *setting, const struct cupola_camera *camera, int width,
+                  int height)
+{
+    struct scene *scene = setting->scene;
+
+    setting_clear(setting, width, height);
     scene->draw(scene, &(struct scene_camera){camera, setting->host, false});
 }

@@ -51,6 +51,8 @@ struct scene *setting_scene(const struct load *load, char *message);
 /* Fov of the plain view that a dome's frame is compared with: the dome's, at most 140 degrees. */
 double setting_plain_fov_rad(const struct setting *setting);
 
+/* Clears the framebuffer that is bound, and sets its viewport. */
+void setting_clear(const struct setting *setting, int width, int height);
 /* Draws the scene into a cleared part of the framebuffer that is bound. */
 void setting_draw(const struct setting *setting, const struct cupola_camera *camera, int width,
                   int height);
