@@ -308,7 +308,7 @@ void cupola_plan_destroy(cupola_plan **plan)
     if (!plan)
         return;
     if (*plan)
-        free((*plan)->outline.points);
+        plan_release(*plan);
     free(*plan);
     *plan = NULL;
 }

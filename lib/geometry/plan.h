@@ -14,6 +14,7 @@
  *   plan_strips    one plane divided into views: the asymmetric layout
  *   plan_exact     densities and rectangles that hold at every pixel
  *   plan_outline   rectangles for an eye that moves
+ *   plan_copy      copies of plans
  *   plan_refusal   what is said where nothing will do
  *   plan_atlas     the views' places in the atlas
  *   plan_camera    matrices, frustum planes and borders
@@ -346,6 +347,13 @@ int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
 int plan_outline_trace(const cupola_dome *dome, struct plan_outline *outline);
 /* Left, right, bottom, top of what a view's rays meet for an eye; false: nothing. */
 bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view, double core[4]);
+
+/*
+ * A copy that shares nothing, into a place that holds no plan, and what it has taken given back.
+ * CUPOLA_OK or CUPOLA_ERROR_MEMORY, and then there is no copy.
+ */
+int plan_copy(const cupola_plan *from, cupola_plan *to, struct cupola_error *error);
+void plan_release(cupola_plan *plan);
 
 /* Everything that a plan is made with. */
 struct planning {

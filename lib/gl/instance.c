@@ -140,7 +140,11 @@ static int create(const cupola_plan *plan, const struct cupola_gl_params *params
     if (!made)
         return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a cupola_gl (%zu bytes)",
                          sizeof *made);
-    made->plan = *plan;
+    status = plan_copy(plan, &made->plan, error);
+    if (status != CUPOLA_OK) {
+        free(made);
+        return status;
+    }
     made->params = *params;
     if (!made->params.sources)
         made->params.sources = 1u << CUPOLA_SOURCE_VIEWS;
@@ -150,6 +154,7 @@ static int create(const cupola_plan *plan, const struct cupola_gl_params *params
     made->guest = (struct guest){&made->features, params->log, params->leaves_state, false};
     status = make_objects(made, error);
     if (status != CUPOLA_OK) {
+        plan_release(&made->plan);
         free(made);
         return status;
     }
@@ -186,6 +191,7 @@ void cupola_gl_destroy(cupola_gl **gl)
     }
     guest_tell(&gone->guest, CUPOLA_LOG_INFO, CUPOLA_LOG_DESTROYED, "a cupola_gl was destroyed%s",
                gone->guest.lost ? "; its GL objects went with the lost context" : "");
+    plan_release(&gone->plan);
     free(gone);
     *gl = NULL;
 }

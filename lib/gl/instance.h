@@ -4,6 +4,7 @@
  *   instance  what there is, made and given back
  *   views     the atlas and the framebuffers that the host draws into
  *   passes    tables and warps, one of each per output
+ *   eye       what follows a viewer who moves
  */
 #ifndef INSTANCE_H
 #define INSTANCE_H
@@ -21,6 +22,7 @@
 struct warp_program {
     GLuint program;                            /* 0 where the kind was not asked for */
     GLint target_corner, encoded;              /* locations of uniforms; -1: not there */
+    GLint eye, bases;                          /* of views: what follows the eye */
     GLint rotation, center, half_fov, mipmaps; /* of pictures */
     GLint image_rect, image_layer;             /* of views that are the host's textures */
 };
@@ -29,12 +31,19 @@ struct warp_program {
 struct overlay_program {
     GLuint program;                                        /* 0 where they were not asked for */
     GLint target_corner, encoded, kind, axes, half, color; /* locations of uniforms */
+    GLint eye;
 };
 
 /* The tiles of one output; nothing of them without the stage of tiles. */
 struct tile_pass {
     struct tiles tiles;
     GLuint buffers[TILE_KINDS], arrays[TILE_KINDS];
+};
+
+/* What draws an output's table once more for another eye; nothing of it where none is needed. */
+struct table_pass {
+    GLuint program, framebuffer;
+    GLint eye, bases; /* locations of uniforms; -1: not there */
 };
 
 /* What an output's programs are for: kinds of sources, then kinds of tiles of views. */
@@ -50,6 +59,8 @@ struct warp_pass {
     struct warp_program programs[2][WARP_PROGRAMS];
     struct overlay_program overlays[2];
     struct tile_pass tiles;
+    struct table_pass redraw; /* of the table */
+    unsigned int moves;       /* of the eye that are taken in; see cupola_gl */
 };
 
 /* Where views are that the host brings: as cupola_gl_views_import was told. */
@@ -61,7 +72,8 @@ struct view_images {
 };
 
 struct cupola_gl {
-    struct cupola_plan plan;
+    struct cupola_plan plan; /* a copy of the host's */
+    unsigned int moves;      /* of its eye; what was made for an eye follows when it is needed */
     struct cupola_gl_params params;
     struct host_features features;
     struct guest guest;  /* of the context with these features */
@@ -112,6 +124,12 @@ int output_check(cupola_gl *gl, int output, struct cupola_error *error);
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
 void warp_pass_destroy(struct warp_pass *pass);
+
+/*
+ * Before views are shown on an output: its programs and its table or tiles follow the eye, if that
+ * has moved since. Allocates nothing. The framebuffer is bound for drawing afterwards.
+ */
+void eye_follow(cupola_gl *gl, int output, GLuint framebuffer);
 
 /* The programs of one output for all kinds that were asked for, with gain or without. */
 int warp_programs_create(const cupola_gl *gl, int output, bool gained,
@@ -198,9 +216,16 @@ void view_images_set(const cupola_gl *gl, const struct warp_program *program);
 int gain_check(const cupola_gl *gl, int output, struct cupola_error *error);
 void gain_bind(const cupola_gl *gl, int output);
 
-/* A stage's table of one output, in whatever way the GL allows. 0 on failure. */
+/*
+ * A stage's table of one output, in whatever way the GL allows. 0 on failure. `redraw` gets what
+ * table_redraw needs, if the stage depends on an eye that may move; NULL: it is the eye's for ever.
+ */
 GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
-                    struct cupola_error *error);
+                    struct table_pass *redraw, struct cupola_error *error);
+void table_pass_destroy(struct table_pass *redraw);
+
+/* The table of one output for the eye as it is now, if it depends on that. */
+void table_redraw(const cupola_gl *gl, int output);
 
 /*
  * A stage's table of one output by the C functions, for GLs that cannot draw into floats. 0 on

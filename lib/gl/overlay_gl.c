@@ -64,6 +64,7 @@ int overlay_program_create(const cupola_gl *gl, int output, bool gained,
         .axes = glGetUniformLocation(program, "overlay_axes"),
         .half = glGetUniformLocation(program, "overlay_half"),
         .color = glGetUniformLocation(program, "overlay_color"),
+        .eye = glGetUniformLocation(program, "eye"),
     };
     return CUPOLA_OK;
 }
@@ -223,6 +224,7 @@ static void draw_all(const cupola_gl *gl, int output, const struct cupola_overla
     host_set_over(&gl->features, linear);
     glUseProgram(program->program);
     glUniform2f(program->target_corner, (GLfloat)place->x, (GLfloat)place->y);
+    program_place_eye(program->eye, &gl->plan.dome);
     if (program->encoded >= 0)
         glUniform1i(program->encoded, !linear);
     if (pass->gain)

@@ -202,7 +202,26 @@ void program_set_projector(GLuint program, const cupola_dome *dome, int output)
     program_set_vector(program, "screen_radius", &projector->screen_radius_m, 1);
     program_set_vector(program, "cap_cosine", &cap_cosine, 1);
     program_set_rotation(program, "tilt", dome->tilt);
-    program_set_vector(program, "eye", dome->rig.eye_m, 3);
+    program_place_eye(glGetUniformLocation(program, "eye"), dome);
+}
+
+void program_place_eye(GLint location, const cupola_dome *dome)
+{
+    const double *eye_m = dome->rig.eye_m;
+    glUniform3f(location, (GLfloat)eye_m[0], (GLfloat)eye_m[1], (GLfloat)eye_m[2]);
+}
+
+void program_place_bases(GLint location, const cupola_plan *plan)
+{
+    GLfloat bases[4 * CUPOLA_VIEWS_MAX];
+    for (int v = 0; v < plan->view_count; v++) {
+        const struct cupola_view *view = &plan->views[v];
+        const double base[4] = {view->left, view->bottom, view->right - view->left,
+                                view->top - view->bottom};
+        for (int i = 0; i < 4; i++)
+            bases[4 * v + i] = (GLfloat)base[i];
+    }
+    glUniform4fv(location, plan->view_count, bases);
 }
 
 void program_set_views(GLuint program, const cupola_plan *plan)
@@ -210,8 +229,6 @@ void program_set_views(GLuint program, const cupola_plan *plan)
     const double atlas[2] = {plan->report.atlas_width_px, plan->report.atlas_height_px};
     for (int v = 0; v < plan->view_count; v++) {
         const struct cupola_view *view = &plan->views[v];
-        const double base[4] = {view->left, view->bottom, view->right - view->left,
-                                view->top - view->bottom};
         const double rect[4] = {view->rect.x / atlas[0], view->rect.y / atlas[1],
                                 view->rect.width / atlas[0], view->rect.height / atlas[1]};
         char name[32];
@@ -219,9 +236,8 @@ void program_set_views(GLuint program, const cupola_plan *plan)
         program_set_vector(program, name, view->selector, 3);
         snprintf(name, sizeof name, "view_rotation[%d]", v);
         program_set_rotation(program, name, view->rotation);
-        snprintf(name, sizeof name, "view_base[%d]", v);
-        program_set_vector(program, name, base, 4);
         snprintf(name, sizeof name, "view_rect[%d]", v);
         program_set_vector(program, name, rect, 4);
     }
+    program_place_bases(glGetUniformLocation(program, "view_base"), plan);
 }

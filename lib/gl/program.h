@@ -35,6 +35,10 @@ void program_defines(const cupola_dome *dome, int output, int view_count, int st
 void program_set_projector(GLuint program, const cupola_dome *dome, int output);
 void program_set_views(GLuint program, const cupola_plan *plan);
 
+/* What follows an eye that moves, by location, of the program in use; -1: nothing. */
+void program_place_eye(GLint location, const cupola_dome *dome);
+void program_place_bases(GLint location, const cupola_plan *plan);
+
 /* Numbers to a uniform by name; names that the compiler dropped are ignored. */
 void program_set_vector(GLuint program, const char *name, const double *values, int count);
 void program_set_rotation(GLuint program, const char *name, const double rotation[9]);

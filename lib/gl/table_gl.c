@@ -5,11 +5,15 @@
 #include "program.h"
 #include "shaders.h"
 
-/* Draws a stage's table of one output into a new texture. 0 on failure. */
-static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stage,
-                         struct cupola_error *error)
+static bool depends_on_eye(enum cupola_table stage)
 {
-    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
+    return stage == CUPOLA_TABLE_ANGLES || stage == CUPOLA_TABLE_SINES ||
+           stage == CUPOLA_TABLE_COORDINATES;
+}
+
+static GLuint table_program_create(const cupola_gl *gl, int output, enum cupola_table stage,
+                                   struct cupola_error *error)
+{
     static const struct shader_file files[] = {
         {"lens.glsl", shader_lens_glsl},
         {"points.glsl", shader_points_glsl},
@@ -21,36 +25,103 @@ static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stag
     GLuint program = program_create(defines, files, 4, error);
     if (!program)
         return 0;
+    glUseProgram(program);
+    program_set_projector(program, &gl->plan.dome, output);
+    program_set_views(program, &gl->plan);
+    return program;
+}
+
+/* With its program in use and its framebuffer bound. */
+static void draw_entries(const cupola_gl *gl, int output)
+{
+    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
+    host_set_area(&gl->features, 0, 0, size->width_px, size->height_px);
+    draw_fullscreen(gl->vertex_array);
+}
+
+static void keep_for_redraw(const cupola_gl *gl, int output, GLuint program, GLuint framebuffer,
+                            struct table_pass *redraw)
+{
+    guest_name(&gl->guest, GL_PROGRAM, program, "table of output %d for an eye that moves", output);
+    guest_name(&gl->guest, GL_FRAMEBUFFER, framebuffer, "table of output %d", output);
+    *redraw = (struct table_pass){program, framebuffer, glGetUniformLocation(program, "eye"),
+                                  glGetUniformLocation(program, "view_base")};
+}
+
+/* Draws a stage's table of one output into a new texture. 0 on failure. */
+static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stage,
+                         struct table_pass *redraw, struct cupola_error *error)
+{
+    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
+    GLuint program = table_program_create(gl, output, stage, error);
+    if (!program)
+        return 0;
     GLuint table = texture_create(GL_RGBA32F, size->width_px, size->height_px, GL_NEAREST, error);
     GLuint framebuffer = table ? framebuffer_create(table, "a table of floats", error) : 0;
-    if (framebuffer) {
-        host_set_area(&gl->features, 0, 0, size->width_px, size->height_px);
-        glUseProgram(program);
-        program_set_projector(program, &gl->plan.dome, output);
-        program_set_views(program, &gl->plan);
-        draw_fullscreen(gl->vertex_array);
-        glDeleteFramebuffers(1, &framebuffer);
-    } else if (table) {
-        glDeleteTextures(1, &table);
-        table = 0;
+    if (framebuffer)
+        draw_entries(gl, output);
+    if (framebuffer && redraw) {
+        keep_for_redraw(gl, output, program, framebuffer, redraw);
+        return table;
     }
+    if (!framebuffer)
+        glDeleteTextures(1, &table);
+    glDeleteFramebuffers(1, &framebuffer);
     glUseProgram(0);
     glDeleteProgram(program);
-    return table;
+    return framebuffer ? table : 0;
+}
+
+void table_pass_destroy(struct table_pass *redraw)
+{
+    glDeleteFramebuffers(1, &redraw->framebuffer);
+    glDeleteProgram(redraw->program);
+    *redraw = (struct table_pass){0};
+}
+
+void table_redraw(const cupola_gl *gl, int output)
+{
+    const struct table_pass *redraw = &gl->passes[output].redraw;
+    if (!redraw->program)
+        return;
+    bool grouped = guest_group_open(&gl->guest, "table %s of output %d",
+                                    cupola_table_name((int)gl->params.table), output);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, redraw->framebuffer);
+    glUseProgram(redraw->program);
+    program_place_eye(redraw->eye, &gl->plan.dome);
+    program_place_bases(redraw->bases, &gl->plan);
+    draw_entries(gl, output);
+    guest_group_close(&gl->guest, grouped);
+}
+
+/* On the CPU a table would take many frames. */
+static int check_moving(const cupola_gl *gl, enum cupola_table stage, struct cupola_error *error)
+{
+    if (gl->features.float_targets)
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_GL,
+                     "table stage %s depends on the eye, which the plan lets move by %g m, and "
+                     "this GL cannot draw it anew: it draws into no floats; allowed: points, none, "
+                     "tiles",
+                     cupola_table_name((int)stage), gl->plan.head_radius_m);
 }
 
 GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
-                    struct cupola_error *error)
+                    struct table_pass *redraw, struct cupola_error *error)
 {
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     const char *name = cupola_table_name((int)stage);
+    bool moving = depends_on_eye(stage) && gl->plan.head_radius_m > 0;
+    if (moving && check_moving(gl, stage, error) != CUPOLA_OK)
+        return 0;
     bool grouped = guest_group_open(&gl->guest, "table %s of output %d", name, output);
     if (!gl->features.float_targets)
         guest_tell(&gl->guest, CUPOLA_LOG_WARNING, CUPOLA_LOG_TABLE_ON_CPU,
                    "table %s of output %d is computed on the CPU: this GL cannot draw into floats",
                    name, output);
-    GLuint table = gl->features.float_targets ? table_draw(gl, output, stage, error)
-                                              : table_upload(gl, output, stage, error);
+    GLuint table = gl->features.float_targets
+                       ? table_draw(gl, output, stage, moving ? redraw : NULL, error)
+                       : table_upload(gl, output, stage, error);
     if (table)
         guest_name(&gl->guest, GL_TEXTURE, table, "table %s of output %d, %d x %d px", name, output,
                    size->width_px, size->height_px);
@@ -70,7 +141,7 @@ static int points(cupola_gl *gl, int output, unsigned int *texture, struct cupol
         struct guest_work work;
         guest_errors_drop(&gl->guest);
         guest_begin_making(&gl->guest, &work, "points of output %d", output);
-        pass->points = table_create(gl, output, CUPOLA_TABLE_POINTS, error);
+        pass->points = table_create(gl, output, CUPOLA_TABLE_POINTS, NULL, error);
         if (!pass->points)
             gl_errors_drop();
         guest_end(&gl->guest, &work);

@@ -181,8 +181,10 @@ void tile_pass_refit(cupola_gl *gl, int output)
     struct warp_pass *warp = &gl->passes[output];
     struct tile_pass *pass = &warp->tiles;
     struct host_buffer host;
+    bool kept = !gl->guest.leaves_state;
     tiles_refit(&gl->plan, &pass->tiles);
-    host_buffer_save(&host);
+    if (kept)
+        host_buffer_save(&host);
     for (int kind = TILE_PURE; kind <= TILE_CHOOSING; kind++) {
         const struct tiles *tiles = &pass->tiles;
         if (!tiles->most[kind])
@@ -195,7 +197,8 @@ void tile_pass_refit(cupola_gl *gl, int output)
                         (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->count[kind]),
                         tiles->tiles[kind]);
     }
-    host_buffer_restore(&host);
+    if (kept)
+        host_buffer_restore(&host);
     for (int gained = 0; gained < 2; gained++)
         for (int kind = TILE_PURE; kind <= TILE_EXACT; kind++) {
             GLuint program = warp->programs[gained][SOURCE_KINDS + kind].program;

@@ -85,6 +85,8 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
         .program = program,
         .target_corner = glGetUniformLocation(program, "target_corner"),
         .encoded = glGetUniformLocation(program, "encoded"),
+        .eye = glGetUniformLocation(program, "eye"),
+        .bases = glGetUniformLocation(program, "view_base"),
         .rotation = glGetUniformLocation(program, "source_rotation"),
         .center = glGetUniformLocation(program, "source_center"),
         .half_fov = glGetUniformLocation(program, "source_half_fov"),
@@ -136,7 +138,7 @@ int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
         if (tile_pass_create(gl, output, &pass->tiles, error) != CUPOLA_OK)
             return error->status;
     } else if (views && gl->params.table != CUPOLA_TABLE_NONE) {
-        pass->table = table_create(gl, output, gl->params.table, error);
+        pass->table = table_create(gl, output, gl->params.table, &pass->redraw, error);
         if (!pass->table)
             return error->status;
         if (gl->params.table == CUPOLA_TABLE_POINTS)
@@ -155,6 +157,7 @@ void warp_pass_destroy(struct warp_pass *pass)
         overlay_program_destroy(&pass->overlays[gained]);
     }
     tile_pass_destroy(&pass->tiles);
+    table_pass_destroy(&pass->redraw);
     glDeleteTextures(1, &pass->table);
     if (pass->points != pass->table)
         glDeleteTextures(1, &pass->points);
@@ -245,10 +248,12 @@ static void draw_picture(const cupola_gl *gl, int output, const struct cupola_so
 }
 
 /* Into the framebuffer that is bound; all has been checked. */
-static void warp_draw(const cupola_gl *gl, int output, const struct cupola_source *source,
+static void warp_draw(cupola_gl *gl, int output, const struct cupola_source *source,
                       const struct cupola_target *place)
 {
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
+    if (source->kind == CUPOLA_SOURCE_VIEWS)
+        eye_follow(gl, output, place->framebuffer);
     host_set_area(&gl->features, place->x, place->y, size->width_px, size->height_px);
     if (gl->passes[output].gain)
         gain_bind(gl, output);

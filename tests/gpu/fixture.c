@@ -77,7 +77,7 @@ cupola_plan *fixture_wrong_plan(const struct fixture *fixture, const struct cupo
     assert_non_null(plan);
     if (cupola_dome_create(wrong, &dome, &error) < 0)
         fail_msg("%s", error.message);
-    *plan = *fixture->plan;
+    assert_int_equal(plan_copy(fixture->plan, plan, NULL), CUPOLA_OK);
     plan->dome = *dome;
     cupola_dome_destroy(&dome);
     return plan;

@@ -14,8 +14,8 @@
 #include <stdlib.h>
 
 #include "group.h"
+#include "reference_error.h"
 #include "rig_random.h"
-#include "worse.h"
 
 static const double bar_float = 0.004, bar_bytes = 0.012, bar_edge = 1e-4;
 static const float border[4] = {0.1f, 0.9f, 0.3f, 0.6f};
@@ -37,101 +37,6 @@ static struct cupola_rig rig_number(int number)
     return rig;
 }
 
-static const float *texel_at(const struct cupola_plan_report *report, const float *atlas, int x,
-                             int y)
-{
-    return atlas + 4 * (y * report->atlas_width_px + x);
-}
-
-/* One pixel by another view: bilinear, four texels that all lie in the view. */
-static void color_by_view(const struct fixture *fixture, const float *atlas, int view,
-                          const struct cupola_ray *ray, double color[4])
-{
-    const struct cupola_plan_report *report = cupola_plan_report(fixture->plan);
-    double texel[2] = {0.5, 0.5};
-    cupola_plan_texel(fixture->plan, view, ray->direction, texel);
-    int i = (int)floor(texel[0] - 0.5), j = (int)floor(texel[1] - 0.5);
-    double u = texel[0] - 0.5 - i, v = texel[1] - 0.5 - j;
-    const struct cupola_rect *rect = &cupola_plan_view(fixture->plan, view)->rect;
-    assert_true(i >= rect->x && j >= rect->y && i + 1 < rect->x + rect->width &&
-                j + 1 < rect->y + rect->height);
-    for (int c = 0; c < 4; c++) {
-        double low = (1.0 - u) * (double)texel_at(report, atlas, i, j)[c] +
-                     u * (double)texel_at(report, atlas, i + 1, j)[c];
-        double high = (1.0 - u) * (double)texel_at(report, atlas, i, j + 1)[c] +
-                      u * (double)texel_at(report, atlas, i + 1, j + 1)[c];
-        double edge = (double)border[c];
-        color[c] = edge + ray->coverage * ((1.0 - v) * low + v * high - edge);
-    }
-}
-
-static double color_error(const float *shown, const double expected[4])
-{
-    double worst = 0.0;
-    for (int c = 0; c < 4; c++)
-        worst = worse_of(worst, fabs((double)shown[c] - expected[c]));
-    return worst;
-}
-
-/* Where views have equal claims to a ray, the one that fits best; infinite where one is ahead. */
-static double error_by_equal_views(const struct fixture *fixture, const float *atlas,
-                                   const float *shown, const struct cupola_ray *ray)
-{
-    double claims[CUPOLA_VIEWS_MAX] = {0.0}, best = (double)INFINITY;
-    int own = cupola_plan_select(fixture->plan, ray->direction);
-    int views = cupola_plan_view_count(fixture->plan);
-    for (int v = 0; v < views; v++)
-        for (int i = 0; i < 3; i++)
-            claims[v] += cupola_plan_view(fixture->plan, v)->selector[i] * ray->direction[i];
-    for (int v = 0; v < views; v++) {
-        double color[4];
-        if (v == own || claims[v] < claims[own] - 1e-6)
-            continue;
-        color_by_view(fixture, atlas, v, ray, color);
-        best = fmin(best, color_error(shown, color));
-    }
-    return best;
-}
-
-struct image_error {
-    double inside, edge; /* all of the pixel lit or none; a part of it */
-    int edge_pixels, lit_pixels;
-};
-
-static struct image_error image_error_of(const struct fixture *fixture, const float *atlas,
-                                         const float *shown, const float *expected)
-{
-    const struct cupola_output *size = fixture_output(fixture, 0);
-    struct image_error error = {0.0, 0.0, 0, 0};
-    for (int j = 0; j < size->height_px; j++)
-        for (int i = 0; i < size->width_px; i++) {
-            const float *pixel = shown + 4 * (j * size->width_px + i);
-            const float *wish = expected + 4 * (j * size->width_px + i);
-            const double color[4] = {(double)wish[0], (double)wish[1], (double)wish[2],
-                                     (double)wish[3]};
-            struct cupola_ray ray;
-            cupola_dome_ray(fixture->dome, 0, NULL, i + 0.5, j + 0.5, &ray);
-            bool edge = ray.coverage > 0.0 && ray.coverage < 0.9999;
-            double off = color_error(pixel, color), *part = edge ? &error.edge : &error.inside;
-            if (!(off <= *part) && ray.coverage > 0.0)
-                off = fmin(off, error_by_equal_views(fixture, atlas, pixel, &ray));
-            *part = worse_of(*part, off);
-            error.edge_pixels += edge;
-            error.lit_pixels += ray.coverage > 0.0;
-        }
-    return error;
-}
-
-static float *reference_of(const struct fixture *fixture, const cupola_plan *plan,
-                           const float *atlas)
-{
-    const struct cupola_output *size = fixture_output(fixture, 0);
-    float *image = malloc(4 * sizeof *image * (size_t)size->width_px * (size_t)size->height_px);
-    assert_non_null(image);
-    assert_int_equal(cupola_reference_warp(plan, 0, atlas, border, image), CUPOLA_OK);
-    return image;
-}
-
 static void set_format(struct fixture *fixture, int number, int format)
 {
     struct cupola_gl_params params = {.format = (enum cupola_format)format,
@@ -145,8 +50,9 @@ static struct image_error error_of_warp(const struct fixture *fixture, const cup
 {
     float *atlas = fixture_atlas(fixture);
     float *shown = fixture_warp(fixture, 0);
-    float *expected = reference_of(fixture, plan, atlas);
-    struct image_error error = image_error_of(fixture, atlas, shown, expected);
+    const struct compared reference = {plan, atlas, border}, own = {fixture->plan, atlas, border};
+    float *expected = reference_image(&reference, 0);
+    struct image_error error = image_error_of(&own, 0, shown, expected);
     free(expected);
     free(shown);
     free(atlas);

@@ -141,8 +141,9 @@ struct cupola_gl_params {
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
- *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, or has no views
- *          of that format
+ *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, has no views of
+ *          that format, or cannot draw into floats and the table of angles, sines or coordinates
+ *          is wished for a plan whose eye may move
  * thread   the context's
  * since    0.1
  */
@@ -223,6 +224,28 @@ CUPOLA_API int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_v
  * since    0.1
  */
 CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
+
+/*
+ * Moves the viewer's eye within the sphere that the plan was made for (head_radius_m of plan.h).
+ * From the next view, import, warp and overlay on they are the new eye's; so a frame's eye is set
+ * before its first view. The plan that gl was made from does not move: a host that draws into
+ * textures of its own moves that one, too, for its cameras (cupola_plan_set_eye).
+ *
+ * Asks and changes nothing of the GL, allocates nothing, and an eye that is where it was costs
+ * nothing. What an output has of the eye follows in its next warp, in a fraction of a millisecond
+ * for the table stages points and none. Tables of angles, sines and coordinates are drawn once
+ * more; their plan lets no eye move where OpenGL ES cannot draw into floats (cupola_gl_create).
+ *
+ * eye_m    dome frame, at most head_radius_m from the eye of the rig that was planned for
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT for NULL or an eye outside of the sphere; the eye is as it was
+ *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_LOST if that was seen by an earlier call
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_gl_set_eye(cupola_gl *gl, const double eye_m[3], struct cupola_error *error);
 
 /* A host's texture, or a part of it, as a view. */
 struct cupola_view_image {

@@ -158,7 +158,8 @@ CUPOLA_API void cupola_plan_destroy(cupola_plan **plan);
  * Moves the eye of a plan within the sphere that it was planned for. The views' base rectangles and
  * cameras follow and the eye of cupola_plan_dome is the new one; rotations, selectors, densities
  * and places in the atlas stay as they are. Allocates nothing and takes a fraction of a
- * millisecond. A cupola_gl keeps a copy of the plan that it was made from, which does not follow.
+ * millisecond. A cupola_gl has a copy of the plan that it was made from, whose eye
+ * cupola_gl_set_eye moves.
  *
  * eye_m    dome frame, at most head_radius_m from the eye of the rig that was planned for
  * error    may be NULL
