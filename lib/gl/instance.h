@@ -22,7 +22,7 @@
 struct warp_program {
     GLuint program;                            /* 0 where the kind was not asked for */
     GLint target_corner, encoded;              /* locations of uniforms; -1: not there */
-    GLint eye, bases;                          /* of views: what follows the eye */
+    GLint eye, bases, tile_views;              /* of views: what follows the eye */
     GLint rotation, center, half_fov, mipmaps; /* of pictures */
     GLint image_rect, image_layer;             /* of views that are the host's textures */
 };

@@ -117,17 +117,18 @@ static void view_matrix(const cupola_plan *plan, const struct cupola_view *view,
     multiply3(rows, plan->dome.tilt, matrix);
 }
 
-/* What differs from eye to eye, of a program that is in use. */
-static void set_views(GLuint program, const cupola_plan *plan, bool atlas)
+/* From the dome frame to each view, of a program that is in use. */
+static void place_views(GLint location, const cupola_gl *gl)
 {
-    program_set_vector(program, "eye", plan->dome.rig.eye_m, 3);
-    for (int v = 0; v < plan->view_count; v++) {
-        char name[32];
+    bool atlas = gl->params.storage == CUPOLA_STORAGE_ATLAS;
+    GLfloat matrices[9 * CUPOLA_VIEWS_MAX];
+    for (int v = 0; v < gl->plan.view_count; v++) {
         double matrix[9];
-        view_matrix(plan, &plan->views[v], atlas, matrix);
-        snprintf(name, sizeof name, "tile_view[%d]", v);
-        program_set_rotation(program, name, matrix);
+        view_matrix(&gl->plan, &gl->plan.views[v], atlas, matrix);
+        for (int i = 0; i < 9; i++)
+            matrices[9 * v + i] = (GLfloat)matrix[i];
     }
+    glUniformMatrix3fv(location, gl->plan.view_count, GL_TRUE, matrices);
 }
 
 GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
@@ -163,7 +164,7 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
     program_set_projector(program, &gl->plan.dome, output);
     program_set_views(program, &gl->plan);
     program_set_vector(program, "viewport_size", viewport, 2);
-    set_views(program, &gl->plan, gl->params.storage == CUPOLA_STORAGE_ATLAS);
+    place_views(glGetUniformLocation(program, "tile_view"), gl);
     warp_set_units(gl, program);
     guest_name(&gl->guest, GL_PROGRAM, program, "warp of %s tiles of output %d", kind_names[kind],
                output);
@@ -190,9 +191,6 @@ void tile_pass_refit(cupola_gl *gl, int output)
         if (!tiles->most[kind])
             continue;
         glBindBuffer(GL_ARRAY_BUFFER, pass->buffers[kind]);
-        /* Other storage for the same buffer: what has been drawn need not be waited for. */
-        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->most[kind]),
-                     NULL, GL_DYNAMIC_DRAW);
         glBufferSubData(GL_ARRAY_BUFFER, 0,
                         (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->count[kind]),
                         tiles->tiles[kind]);
@@ -201,11 +199,12 @@ void tile_pass_refit(cupola_gl *gl, int output)
         host_buffer_restore(&host);
     for (int gained = 0; gained < 2; gained++)
         for (int kind = TILE_PURE; kind <= TILE_EXACT; kind++) {
-            GLuint program = warp->programs[gained][SOURCE_KINDS + kind].program;
-            if (!program)
+            const struct warp_program *program = &warp->programs[gained][SOURCE_KINDS + kind];
+            if (!program->program)
                 continue;
-            glUseProgram(program);
-            program_set_views(program, &gl->plan);
-            set_views(program, &gl->plan, gl->params.storage == CUPOLA_STORAGE_ATLAS);
+            glUseProgram(program->program);
+            program_place_eye(program->eye, &gl->plan.dome);
+            program_place_bases(program->bases, &gl->plan);
+            place_views(program->tile_views, gl);
         }
 }

@@ -87,6 +87,7 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
         .encoded = glGetUniformLocation(program, "encoded"),
         .eye = glGetUniformLocation(program, "eye"),
         .bases = glGetUniformLocation(program, "view_base"),
+        .tile_views = glGetUniformLocation(program, "tile_view"),
         .rotation = glGetUniformLocation(program, "source_rotation"),
         .center = glGetUniformLocation(program, "source_center"),
         .half_fov = glGetUniformLocation(program, "source_half_fov"),

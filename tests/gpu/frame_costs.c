@@ -51,12 +51,20 @@ static void check_frame(struct guest_house *house)
         fail_msg("%s", error.message);
 }
 
-static void check_costs(const struct cupola_gl_params *params, const char *name)
+static void build(struct guest_house *house, bool moving)
+{
+    if (moving)
+        guest_house_build_moving(house);
+    else
+        guest_house_build(house);
+}
+
+static void check_costs(const struct cupola_gl_params *params, bool moving, const char *name)
 {
     struct guest_house house;
     struct cupola_error error = {CUPOLA_OK, ""};
     unsigned int points = 0;
-    guest_house_build(&house);
+    build(&house, moving);
     allocations = 0;
     interposed_begin();
     if (guest_gl_create(&house, params, &error) != CUPOLA_OK ||
@@ -88,20 +96,33 @@ static void frames_allocate_and_compile_nothing(void **state)
     (void)state;
     for (int table = CUPOLA_TABLE_POINTS; table <= CUPOLA_TABLE_TILES; table++) {
         const struct cupola_gl_params params = {.table = (enum cupola_table)table};
-        check_costs(&params, cupola_table_name(table));
+        check_costs(&params, false, cupola_table_name(table));
     }
     const struct cupola_gl_params rich = {.format = CUPOLA_FORMAT_SRGB8,
                                           .depth = CUPOLA_DEPTH_24_STENCIL_8,
                                           .samples = 2,
                                           .encoding = CUPOLA_ENCODING_SRGB};
-    check_costs(&rich, "several samples");
+    check_costs(&rich, false, "several samples");
     for (int storage = CUPOLA_STORAGE_TEXTURES; storage <= CUPOLA_STORAGE_LAYERS; storage++) {
         const struct cupola_gl_params host = {.storage = (enum cupola_storage)storage};
-        check_costs(&host, storage == CUPOLA_STORAGE_LAYERS ? "host's layers" : "host's textures");
+        check_costs(&host, false,
+                    storage == CUPOLA_STORAGE_LAYERS ? "host's layers" : "host's textures");
     }
 }
 
-static int questions_of_a_frame(enum cupola_storage storage, enum cupola_table table,
+static void eyes_that_move_allocate_and_compile_nothing(void **state)
+{
+    (void)state;
+    for (int table = CUPOLA_TABLE_POINTS; table <= CUPOLA_TABLE_TILES; table++) {
+        const struct cupola_gl_params params = {.table = (enum cupola_table)table};
+        char name[80];
+        snprintf(name, sizeof name, "%s, a moving eye", cupola_table_name(table));
+        if (guest_moving_table(params.table) == params.table)
+            check_costs(&params, true, name);
+    }
+}
+
+static int questions_of_a_frame(enum cupola_storage storage, enum cupola_table table, bool moving,
                                 bool leaves_state)
 {
     const struct cupola_gl_params params = {.depth = CUPOLA_DEPTH_24_STENCIL_8,
@@ -110,7 +131,7 @@ static int questions_of_a_frame(enum cupola_storage storage, enum cupola_table t
                                             .table = table,
                                             .leaves_state = leaves_state};
     struct guest_house house;
-    guest_house_build(&house);
+    build(&house, moving);
     assert_int_equal(guest_gl_create(&house, &params, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_set_gain(house.gl, 0, house.gain, NULL), CUPOLA_OK);
     interposed_begin();
@@ -127,11 +148,15 @@ static void frames_that_leave_the_state_ask_for_nothing(void **state)
     (void)state;
     for (int i = CUPOLA_STORAGE_ATLAS; i <= CUPOLA_STORAGE_LAYERS; i++) {
         enum cupola_storage storage = (enum cupola_storage)i;
-        int asked = questions_of_a_frame(storage, CUPOLA_TABLE_POINTS, false);
+        int asked = questions_of_a_frame(storage, CUPOLA_TABLE_POINTS, false, false);
         printf("  %d questions to the GL in a frame that keeps the host's state\n", asked);
         check_at_least(asked, 100); /* the control */
-        assert_int_equal(questions_of_a_frame(storage, CUPOLA_TABLE_POINTS, true), 0);
-        assert_int_equal(questions_of_a_frame(storage, CUPOLA_TABLE_TILES, true), 0);
+        assert_int_equal(questions_of_a_frame(storage, CUPOLA_TABLE_POINTS, false, true), 0);
+        assert_int_equal(questions_of_a_frame(storage, CUPOLA_TABLE_TILES, false, true), 0);
+    }
+    for (int table = CUPOLA_TABLE_POINTS; table <= CUPOLA_TABLE_TILES; table++) {
+        enum cupola_table stage = guest_moving_table((enum cupola_table)table);
+        assert_int_equal(questions_of_a_frame(CUPOLA_STORAGE_ATLAS, stage, true, true), 0);
     }
 }
 
@@ -139,6 +164,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_allocate_and_compile_nothing),
+        cmocka_unit_test(eyes_that_move_allocate_and_compile_nothing),
         cmocka_unit_test(frames_that_leave_the_state_ask_for_nothing),
     };
     return cmocka_run_group_tests_name("frame_costs", tests, open_context, close_context);

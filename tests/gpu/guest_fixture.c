@@ -71,21 +71,32 @@ void guest_house_build(struct guest_house *house)
     guest_house_build_for(house, 1);
 }
 
-void guest_house_build_for(struct guest_house *house, int projectors)
+static void build(struct guest_house *house, int projectors, double head_radius_m)
 {
+    const struct cupola_plan_params wishes = {.head_radius_m = head_radius_m};
     struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, GUEST_SIZE);
     rig.output_count = projectors;
     for (int i = 1; i < projectors; i++)
         rig.outputs[i] = rig.outputs[0];
-    *house = (struct guest_house){.gl = NULL};
+    *house = (struct guest_house){.moving = head_radius_m > 0.0};
     assert_int_equal(cupola_dome_create(&rig, &house->dome, NULL), CUPOLA_OK);
-    assert_int_equal(cupola_plan_create(house->dome, NULL, &house->plan, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_plan_create(house->dome, &wishes, &house->plan, NULL), CUPOLA_OK);
     for (int i = 0; i < GUEST_PICTURES; i++)
         make_picture(&house->pictures[i], (enum cupola_source_kind)(CUPOLA_SOURCE_DOMEMASTER + i));
     make_gain(house);
     make_view_textures(house);
     make_target(house);
     assert_int_equal(glGetError(), GL_NO_ERROR);
+}
+
+void guest_house_build_for(struct guest_house *house, int projectors)
+{
+    build(house, projectors, 0.0);
+}
+
+void guest_house_build_moving(struct guest_house *house)
+{
+    build(house, 1, GUEST_HEAD_RADIUS_M);
 }
 
 void guest_house_release(struct guest_house *house)
@@ -113,6 +124,22 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
     struct cupola_gl_params staged;
     house->storage = wished.storage;
     return cupola_gl_create(house->plan, fixture_with_stage(&wished, &staged), &house->gl, error);
+}
+
+enum cupola_table guest_moving_table(enum cupola_table wished)
+{
+    bool table = wished == CUPOLA_TABLE_ANGLES || wished == CUPOLA_TABLE_SINES ||
+                 wished == CUPOLA_TABLE_COORDINATES;
+    return table && !context_has_floats() ? CUPOLA_TABLE_POINTS : wished;
+}
+
+int guest_move(struct guest_house *house, struct cupola_error *error)
+{
+    static const double places_m[2][3] = {{-0.05, 0.0, 0.02}, {0.04, 0.06, -0.03}};
+    if (!house->moving)
+        return CUPOLA_OK;
+    int status = cupola_gl_set_eye(house->gl, places_m[0], error);
+    return status < 0 ? status : cupola_gl_set_eye(house->gl, places_m[1], error);
 }
 
 int guest_import(struct guest_house *house, struct cupola_error *error)
@@ -160,7 +187,9 @@ int guest_overlays(struct guest_house *house, struct cupola_error *error)
 
 int guest_frame(struct guest_house *house, struct cupola_error *error)
 {
-    int status = guest_views(house, error);
+    int status = guest_move(house, error);
+    if (status >= 0)
+        status = guest_views(house, error);
     for (int i = GUEST_PICTURES - 1; status >= 0 && i >= -1; i--)
         status = guest_warp(house, i, error);
     return status < 0 ? status : guest_overlays(house, error);

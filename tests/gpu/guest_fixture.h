@@ -20,21 +20,30 @@ struct guest_house {
     GLuint view_textures[2];     /* of the host's: a 2-D texture, an array */
     struct cupola_target target;
     GLuint target_texture;
+    bool moving; /* every frame has another eye than the one before */
 };
+
+/* Of the rig's eye, m, in a house for a viewer who moves. */
+#define GUEST_HEAD_RADIUS_M 0.1
 
 /* Dome, plan, pictures and target; no gl. */
 void guest_house_build(struct guest_house *house);
 void guest_house_build_for(struct guest_house *house, int projectors); /* alike, in one place */
+/* The same for a viewer who moves. */
+void guest_house_build_moving(struct guest_house *house);
 void guest_house_release(struct guest_house *house);
 
 /* All sources and overlays, unless the parameters name some. */
+enum cupola_table guest_moving_table(enum cupola_table wished); /* points where it needs floats */
 int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *params,
                     struct cupola_error *error);
 
 /*
  * One frame: the views, drawn by clears or imported, then each source warped over the one before,
- * then overlays. With a status below 0 it ends, and that is what it returns.
+ * then overlays. With a status below 0 it ends, and that is what it returns. Where the viewer
+ * moves, it does at the beginning: away, and always to the same place.
  */
+int guest_move(struct guest_house *house, struct cupola_error *error);
 int guest_frame(struct guest_house *house, struct cupola_error *error);
 int guest_views(struct guest_house *house, struct cupola_error *error);
 int guest_import(struct guest_house *house, struct cupola_error *error);
