@@ -30,12 +30,13 @@ enum { SCENE_TRIANGLES = 1000000, SCENE_TRIANGLES_MIN = 1000, SCENE_TRIANGLES_MA
 
 struct scene_wishes {
     enum scene_shading shading;
-    int lamps;         /* of SCENE_HEAVY, up to SCENE_LAMPS_MAX; 0: SCENE_LAMPS */
+    int lamps;         /* of SCENE_HEAVY, up to SCENE_LAMPS_MAX; 0: SCENE_LAMPS; -1: none */
     int triangles;     /* of the forest, from MIN to MAX; 0: SCENE_TRIANGLES */
     unsigned int seed; /* of the forest */
     /* To set a load, for whoever measures; the demo leaves them 0. */
     bool smooth;    /* SCENE_HEAVY without bumps */
     int anisotropy; /* of the room's pictures, at most; 0: 8; 1: trilinear filtering */
+    bool one_level; /* of detail at a time in those: sampling them costs the same everywhere */
 };
 
 /* What drawing costs besides pixels. */

@@ -123,9 +123,9 @@ static void create_walls(struct cube_scene *cube)
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-static bool create_pictures(struct cube_scene *cube, int anisotropy)
+static bool create_pictures(struct cube_scene *cube, const struct scene_wishes *wishes)
 {
-    const int size = CUBE_PICTURE_SIZE_PX;
+    const int size = CUBE_PICTURE_SIZE_PX, anisotropy = wishes->anisotropy ? wishes->anisotropy : 8;
     unsigned char *picture = malloc((size_t)size * (size_t)size * 4);
     if (!picture)
         return false;
@@ -144,7 +144,8 @@ static bool create_pictures(struct cube_scene *cube, int anisotropy)
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
+                    wishes->one_level ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic") ||
         epoxy_has_gl_extension("GL_ARB_texture_filter_anisotropic")) {
         float most = 1;
@@ -188,7 +189,7 @@ struct scene *scene_cube_create(const struct scene_wishes *wishes, char *message
     cube->scene.whole = (struct scene_counts){2L * CUBE_FACES, 1};
     if (!create_program(cube, wishes, message, message_size))
         goto fail;
-    if (!create_pictures(cube, wishes->anisotropy > 0 ? wishes->anisotropy : 8)) {
+    if (!create_pictures(cube, wishes)) {
         snprintf(message, message_size, "scene 'cube': out of memory");
         goto fail;
     }

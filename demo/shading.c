@@ -38,12 +38,17 @@ static void set_lamps(GLuint program, const struct shading_lamps *lamps, int cou
 {
     float places[SCENE_LAMPS_MAX][3], colors[SCENE_LAMPS_MAX][3];
 
+    if (count > SCENE_LAMPS_MAX)
+        count = SCENE_LAMPS_MAX;
     for (int i = 0; i < count; i++)
         set_lamp(lamps, i, count, places[i], colors[i]);
     glUniform1i(glGetUniformLocation(program, "lamp_count"), count);
-    glUniform3fv(glGetUniformLocation(program, "lamp_places"), count, places[0]);
-    glUniform3fv(glGetUniformLocation(program, "lamp_colors"), count, colors[0]);
-    glUniform1f(glGetUniformLocation(program, "bump_size"), smooth ? 0 : lamps->bump_size);
+    if (count > 0) {
+        glUniform3fv(glGetUniformLocation(program, "lamp_places"), count, places[0]);
+        glUniform3fv(glGetUniformLocation(program, "lamp_colors"), count, colors[0]);
+    }
+    glUniform1f(glGetUniformLocation(program, "bump_size"), lamps->bump_size);
+    glUniform1i(glGetUniformLocation(program, "octaves"), smooth ? 0 : 2);
     glUniform1f(glGetUniformLocation(program, "smoothest"),
                 lamps->smoothest > 0 ? lamps->smoothest : 0.25f);
 }
@@ -54,7 +59,7 @@ unsigned int shading_program_create(const char *name, const char *vertex, const 
                                     size_t message_size)
 {
     const char *const shaded[] = {shader_flat_glsl, lambert, shader_heavy_glsl};
-    int count = wishes->lamps > 0 ? wishes->lamps : SCENE_LAMPS;
+    int count = wishes->lamps ? wishes->lamps : SCENE_LAMPS;
     GLuint program =
         program_create_of(name, vertex, shaded[wishes->shading], fragment, message, message_size);
 
@@ -63,8 +68,7 @@ unsigned int shading_program_create(const char *name, const char *vertex, const 
     glUseProgram(program);
     glUniform3fv(glGetUniformLocation(program, "sun"), 1, shading_sun);
     if (wishes->shading == SCENE_HEAVY)
-        set_lamps(program, lamps, count < SCENE_LAMPS_MAX ? count : SCENE_LAMPS_MAX,
-                  wishes->smooth);
+        set_lamps(program, lamps, count < 0 ? 0 : count, wishes->smooth);
     glUseProgram(0);
     return program;
 }

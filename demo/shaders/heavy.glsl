@@ -9,7 +9,8 @@ const float PI = 3.14159265;
 uniform int lamp_count;
 uniform vec3 lamp_places[LAMPS_MAX]; // world
 uniform vec3 lamp_colors[LAMPS_MAX]; // the light at distance d is this / d^2
-uniform float bump_size;             // width of the coarsest bumps, world units; 0: none
+uniform float bump_size;             // width of the coarsest bumps, world units
+uniform int octaves;                 // of bumps, 0 to 2
 uniform float smoothest;             // the least roughness
 
 // A number from 0 to 1 for every point of the lattice.
@@ -43,13 +44,18 @@ vec4 noise(vec3 place)
     return vec4(slope * gradient, value);
 }
 
-// Two octaves of bumps; each fades before it gets finer than a pixel or so.
+// Octaves of bumps; each fades before it gets finer than a pixel or so. A loop, because rasterisers
+// in software skip one that has nothing to do, but compute both sides of a condition.
 vec4 bumps(vec3 place, float far_off)
 {
-    float seen = bump_size / far_off;
-    vec4 coarse = noise(place / bump_size) * smoothstep(0.006, 0.03, seen);
-    vec4 fine = noise(place * (2.7 / bump_size)) * smoothstep(0.016, 0.08, seen);
-    return 0.6 * coarse + 0.4 * fine;
+    vec4 sum = vec4(0.0, 0.0, 0.0, octaves > 0 ? 0.0 : 0.5);
+    for (int i = 0; i < octaves; i++) {
+        float seen = bump_size / far_off;
+        bool fine = i > 0;
+        float fade = fine ? smoothstep(0.016, 0.08, seen) : smoothstep(0.006, 0.03, seen);
+        sum += (fine ? 0.4 : 0.6) * fade * noise(place * ((fine ? 2.7 : 1.0) / bump_size));
+    }
+    return sum;
 }
 
 vec3 reflected(vec3 base, vec3 normal, vec3 to_eye, vec3 to_lamp, float roughness)
@@ -73,7 +79,7 @@ vec3 shaded(vec3 base, vec3 place, vec3 normal, vec3 eye)
     float far_off = distance(eye, place);
     vec3 to_eye = (eye - place) / max(far_off, 1e-6);
     normal = normalize(normal);
-    vec4 bump = bump_size > 0.0 ? bumps(place, max(far_off, 1e-6)) : vec4(0.0, 0.0, 0.0, 0.5);
+    vec4 bump = bumps(place, max(far_off, 1e-6));
     vec3 along = bump.xyz - normal * dot(normal, bump.xyz);
     normal = normalize(normal - 0.5 * along);
     float roughness = smoothest + 0.4 * (1.0 - bump.w);

@@ -133,7 +133,8 @@ void json_comparison(FILE *file, bool first, const struct json_heading *heading,
     put_text(file, "table", cupola_table_name((int)setting->gl.table));
     put_text(file, "load", setting->load.name);
     put_text(file, "scene", scene_names[setting->load.kind]);
-    put_number(file, "lamps", wishes->shading == SCENE_HEAVY ? wishes->lamps : 0);
+    put_number(file, "lamps",
+               wishes->shading == SCENE_HEAVY && wishes->lamps > 0 ? wishes->lamps : 0);
     put_number(file, "triangles", (double)setting->scene->whole.triangles);
     put_number(file, "lit_pixels", setting->lit_pixels);
     put_number(file, "load_average", load_average());

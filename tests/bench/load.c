@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIAL_FRAMES = 7, TRIAL_MOST_PX = 1024 };
+enum { TRIAL_FRAMES = 15, TRIAL_MOST_PX = 1024 };
 
 struct trial {
     int size_px;
@@ -36,47 +36,51 @@ static double cost_ns(const struct load *load, const struct trial *trial, char *
     return cost;
 }
 
-/* The first three take lamps; the others are for whom one lamp is too dear. */
-enum { LAMP_KINDS = 3, KINDS = 7, MANY = 17 };
+/*
+ * From the dearest on: the first takes as many lamps as are wished. All of them cost the same
+ * wherever a pixel looks, so that texels of a dome's views cost what the plain view's pixels do.
+ */
+enum { KINDS = 4, MANY = 17 };
 static const struct scene_wishes kinds[KINDS] = {
-    {.shading = SCENE_HEAVY, .lamps = 1},
-    {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true},
-    {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true, .anisotropy = 1},
-    {.shading = SCENE_LAMBERT, .anisotropy = 4},
-    {.shading = SCENE_LAMBERT, .anisotropy = 2},
-    {.shading = SCENE_LAMBERT, .anisotropy = 1},
-    {.shading = SCENE_FLAT, .anisotropy = 1},
+    {.shading = SCENE_HEAVY, .lamps = 1, .smooth = true, .anisotropy = 1, .one_level = true},
+    {.shading = SCENE_HEAVY, .lamps = -1, .smooth = true, .anisotropy = 1, .one_level = true},
+    {.shading = SCENE_LAMBERT, .anisotropy = 1, .one_level = true},
+    {.shading = SCENE_FLAT, .anisotropy = 1, .one_level = true},
 };
 
-/*
- * The first kind that is cheap enough with one lamp gets as many as it takes. Where none is, the
- * one that comes nearest has to do.
- */
-static bool find_lamps(double wished_ns, const struct trial *trial, struct load *load,
-                       char *message)
+/* The number of lamps that makes the first kind cost what is wished; `one_ns` is that of one. */
+static bool find_lamps(double wished_ns, double one_ns, const struct trial *trial,
+                       struct load *load, char *message)
 {
-    double one[KINDS], many, lamps;
-    int kind, nearest = 0;
+    double many_ns, lamps;
 
-    for (kind = 0; kind < KINDS; kind++) {
-        load->wishes = kinds[kind];
-        one[kind] = cost_ns(load, trial, message);
-        if (one[kind] <= 0)
-            return false;
-        if (fabs(log(one[kind] / wished_ns)) < fabs(log(one[nearest] / wished_ns)))
-            nearest = kind;
-        if (kind < LAMP_KINDS && one[kind] <= wished_ns)
-            break;
-    }
-    load->wishes = kinds[kind < KINDS ? kind : nearest];
-    if (kind == KINDS)
-        return true;
+    load->wishes = kinds[0];
     load->wishes.lamps = MANY;
-    many = cost_ns(load, trial, message);
-    if (many < 0)
+    many_ns = cost_ns(load, trial, message);
+    if (many_ns < 0)
         return false;
-    lamps = 1 + (wished_ns - one[kind]) / fmax((many - one[kind]) / (MANY - 1), 1e-3);
+    lamps = 1 + (wished_ns - one_ns) / fmax((many_ns - one_ns) / (MANY - 1), 1e-3);
     load->wishes.lamps = (int)lround(fmin(fmax(lamps, 1), SCENE_LAMPS_MAX));
+    return true;
+}
+
+/* The kind that comes nearest to a cost. */
+static bool find_cost(double wished_ns, const struct trial *trial, struct load *load, char *message)
+{
+    double found_ns[KINDS];
+    int nearest = 0;
+
+    for (int kind = 0; kind < KINDS; kind++) {
+        load->wishes = kinds[kind];
+        found_ns[kind] = cost_ns(load, trial, message);
+        if (found_ns[kind] <= 0)
+            return false;
+        if (kind == 0 && found_ns[kind] <= wished_ns)
+            return find_lamps(wished_ns, found_ns[kind], trial, load, message);
+        if (fabs(log(found_ns[kind] / wished_ns)) < fabs(log(found_ns[nearest] / wished_ns)))
+            nearest = kind;
+    }
+    load->wishes = kinds[nearest];
     return true;
 }
 
@@ -132,7 +136,7 @@ bool load_find(const char *name, const struct comparison_wishes *wishes, int siz
     }
     if (strcmp(kind, "ns") == 0 && colon)
         return number_after(colon, 1, 1000000, &wished_ns, message) &&
-               find_lamps(wished_ns, &trial, load, message);
+               find_cost(wished_ns, &trial, load, message);
     snprintf(message, MESSAGE_SIZE,
              "there is no load '%s'; there are light, lambert, directions, heavy[:LAMPS], "
              "forest[:TRIANGLES] and ns:COST",
