@@ -173,6 +173,30 @@ static void every_phase_is_a_group(void **state)
     assert_int_equal(depth(), 1);
 }
 
+/* In the warp's own. */
+static void a_table_that_follows_the_eye_is_a_group(void **state)
+{
+    static const char *const expected[] = {
+        "Cupola warp of output 0", "Cupola table sines of output 0",
+        "/Cupola table sines of output 0", "/Cupola warp of output 0"};
+    const struct cupola_gl_params params = {.table = CUPOLA_TABLE_SINES};
+    struct guest_house moving;
+    (void)state;
+    if (!debug_is_there() || !context_has_floats())
+        skip();
+    guest_house_build_moving(&moving);
+    assert_int_equal(guest_gl_create(&moving, &params, NULL), CUPOLA_OK);
+    event_count = 0;
+    assert_int_equal(guest_move(&moving, NULL), CUPOLA_OK);
+    assert_int_equal(event_count, 0);
+    assert_int_equal(guest_warp(&moving, -1, NULL), CUPOLA_OK);
+    assert_int_equal(guest_warp(&moving, -1, NULL), CUPOLA_OK);
+    assert_int_equal(event_count, 6);
+    for (int i = 0; i < 4; i++)
+        assert_string_equal(events[i], expected[i]);
+    guest_house_release(&moving);
+}
+
 static void what_the_host_draws_is_in_the_views_group(void **state)
 {
     static const char *const expected[] = {"Cupola view 0", "ship", "/ship", "/Cupola view 0"};
@@ -267,6 +291,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_phase_is_a_group),
+        cmocka_unit_test(a_table_that_follows_the_eye_is_a_group),
         cmocka_unit_test(what_the_host_draws_is_in_the_views_group),
         cmocka_unit_test(a_full_stack_is_left_alone),
         cmocka_unit_test(frames_that_leave_the_state_have_none_unless_debugged),

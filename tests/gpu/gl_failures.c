@@ -174,6 +174,20 @@ static void creation_of_tiles_survives(void **state)
     try_each(&maker, true);
 }
 
+static void creation_for_a_moving_eye_survives(void **state)
+{
+    const struct maker maker = {"create, a moving eye", make_gl, undo_gl, 8};
+    (void)state;
+    guest_house_release(&house);
+    guest_house_build_moving(&house);
+    params = (struct cupola_gl_params){.table = guest_moving_table(CUPOLA_TABLE_ANGLES),
+                                       .sources = 1u << CUPOLA_SOURCE_VIEWS};
+    try_each(&maker, false);
+    try_each(&maker, true);
+    guest_house_release(&house);
+    guest_house_build(&house);
+}
+
 static void creation_with_samples_survives(void **state)
 {
     const struct maker maker = {"create, several samples", make_gl, undo_gl, 15};
@@ -235,6 +249,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(creation_survives),
         cmocka_unit_test(creation_of_tiles_survives),
+        cmocka_unit_test(creation_for_a_moving_eye_survives),
         cmocka_unit_test(creation_with_samples_survives),
         cmocka_unit_test(creation_for_the_hosts_textures_survives),
         cmocka_unit_test(theatres_survive),

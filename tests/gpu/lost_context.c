@@ -29,7 +29,7 @@ static int open_house(void **state)
 {
     (void)state;
     context_open();
-    guest_house_build(&house);
+    guest_house_build_moving(&house);
     /* libepoxy ends the process where it first looks for a function in a context that is lost: what
      * garbage can make the library put "back" is found before. */
     if (context_has(33, NULL, 32, "GL_EXT_draw_buffers_indexed")) {
@@ -55,7 +55,8 @@ static bool context_can_tell(void)
 
 static int make_all(struct cupola_error *error)
 {
-    const struct cupola_gl_params params = {.log = {.write = listen}, .samples = 2};
+    const struct cupola_gl_params params = {
+        .log = {.write = listen}, .samples = 2, .table = guest_moving_table(CUPOLA_TABLE_SINES)};
     int status = guest_gl_create(&house, &params, error);
     return status == CUPOLA_OK ? cupola_theatre_create(house.dome, &house.theatre, error) : status;
 }
@@ -65,7 +66,7 @@ static void check_all_lost(bool also_theatre)
 {
     unsigned int points = 7;
     struct cupola_error error = {CUPOLA_OK, ""};
-    int called = interposed.called, expected = failures + 10;
+    int called = interposed.called, expected = failures + 11;
     struct cupola_view_image images[CUPOLA_VIEWS_MAX] = {{.texture = house.target_texture}};
     assert_int_equal(cupola_gl_frame_begin(house.gl, NULL, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_view_begin(house.gl, 0, NULL, NULL), CUPOLA_ERROR_LOST);
@@ -77,6 +78,7 @@ static void check_all_lost(bool also_theatre)
     assert_int_equal(guest_views(&house, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_overlays(&house, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_views_import(house.gl, images, &error), CUPOLA_ERROR_LOST);
+    assert_int_equal(guest_move(&house, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(points, 7);
     assert_int_equal(error.status, CUPOLA_ERROR_LOST);
     assert_non_null(strstr(error.message, "lost"));
