@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "eye_path.h"
 #include "file_clash.h"
 #include "file_pattern.h"
 #include "output_file.h"
@@ -27,13 +28,20 @@ bool film_output_is_numbered(const struct options *options)
     return options->output && file_pattern_has_number(options->output);
 }
 
+/* Pictures that differ from frame to frame: a sequence, or a viewer who moves. */
+static bool has_many(const struct options *options)
+{
+    return options->eye_circle_m.given || (options->show && file_pattern_has_number(options->show));
+}
+
 bool film_output_check_options(const struct options *options, char *message)
 {
     const char *problem = NULL;
 
     if (film_output_is_numbered(options)) {
-        if (!options->show || !file_pattern_has_number(options->show))
-            problem = "has a number, but --show names no sequence; allowed: a name without %";
+        if (!has_many(options))
+            problem = "has a number, but --show names no sequence, and without --eye-circle no eye "
+                      "moves; allowed: a name without %";
         else if (options->stats)
             problem = "has a number, and --stats wants one file only; allowed: one of them";
         else if (strstr(options->output, "%s"))
@@ -41,8 +49,7 @@ bool film_output_check_options(const struct options *options, char *message)
     } else if (options->output && strchr(options->output, '%')) {
         problem = "has a % that begins no number; allowed: a name without %, or with %05d or the "
                   "like for a sequence";
-    } else if (options->show && file_pattern_has_number(options->show) && options->frames > 1 &&
-               !options->stats) {
+    } else if (has_many(options) && options->frames > 1 && !options->stats) {
         problem = "is one file for many frames; allowed: a name with %05d or the like, or no "
                   "--frames for the first picture alone";
     }
@@ -54,13 +61,17 @@ bool film_output_check_options(const struct options *options, char *message)
 
 long film_output_frames(const struct options *options, const struct film *film)
 {
-    return options->frames > 0 ? options->frames : film_count(film);
+    if (options->frames > 0)
+        return options->frames;
+    return film ? film_count(film) : EYE_PATH_FRAMES;
 }
 
 bool film_output_path(const struct options *options, const struct film *film, long index,
                       char path[PATH_MAX])
 {
-    return file_pattern_path(options->output, film_first(film) + index, "", path);
+    long first = film ? film_first(film) : 0;
+
+    return file_pattern_path(options->output, first + index, "", path);
 }
 
 static int compare(const void *first, const void *second)
@@ -98,7 +109,7 @@ static bool check_own(const char *option, const char *path, const struct identit
 {
     struct stat file;
 
-    if (!path || stat(path, &file) != 0)
+    if (!path || pictures->count == 0 || stat(path, &file) != 0)
         return true;
     const struct identity wanted = {file.st_dev, file.st_ino};
     if (!bsearch(&wanted, pictures->sorted, pictures->count, sizeof wanted, compare))
@@ -134,11 +145,12 @@ bool film_output_check_files(const struct options *options, const struct film *f
                              const char *picture, char *message)
 {
     const char *save = options->save_rig;
-    struct identities pictures;
+    struct identities pictures = {NULL, 0};
     char backup[PATH_MAX];
 
     if (!film)
-        return true;
+        return !film_output_is_numbered(options) ||
+               check_numbered(options, film, &pictures, message);
     if (!identify(film, &pictures)) {
         snprintf(message, MESSAGE_SIZE, "out of memory");
         return false;

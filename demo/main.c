@@ -8,6 +8,7 @@
 
 #include <cupola/version.h>
 
+#include "eye_path.h"
 #include "file_clash.h"
 #include "film_output.h"
 #include "model_trial.h"
@@ -84,6 +85,7 @@ int main(int argc, char **argv)
         if (status != STATUS_OK)
             return complain(status, message);
         setup.plan = options.plan;
+        setup.plan.head_radius_m = eye_path_head_radius_m(&options);
         setup.table = options.table;
         setup.view_format = options.view_format;
         setup.samples = options.samples;

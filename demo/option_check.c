@@ -28,8 +28,9 @@ static const char *picture_contradiction(const struct options *o)
         return "--frame-rate belongs to a sequence only; allowed: --show with %04d or the like in "
                "the name";
     if (o->views_given)
-        return "--layout, --views, --density, --view-size, --guard, --view-format, --msaa and "
-               "--depth belong to views, and --show has none; allowed: without them";
+        return "--layout, --views, --density, --view-size, --guard, --head-radius, --eye-circle, "
+               "--view-format, --msaa and --depth belong to views, and --show has none; allowed: "
+               "without them";
     if (o->flat || o->camera.given || o->look.given || o->up.given)
         return "--flat, --camera, --look and --up belong to a scene, and --show has none; allowed: "
                "--picture-aim turns a picture";
@@ -50,12 +51,28 @@ static const char *scene_contradiction(const struct options *o)
     return NULL;
 }
 
+/* The same of options about a viewer who moves. */
+static const char *eye_contradiction(const struct options *o)
+{
+    if (!o->head_radius_m.given && !o->eye_circle_m.given)
+        return NULL;
+    if (o->mode == SHOW_PERSPECTIVE)
+        return "--head-radius and --eye-circle belong to the dome's views, and --perspective has "
+               "none; allowed: without them";
+    if (o->head_radius_m.given && o->eye_circle_m.given &&
+        o->eye_circle_m.value[0] > o->head_radius_m.value[0])
+        return "--eye-circle leaves the sphere of --head-radius; allowed: up to that radius";
+    return NULL;
+}
+
 /* The same of all options. */
 const char *options_contradiction(const struct options *o)
 {
     bool window_wish = o->fullscreen || o->monitor >= 0 || o->swap_interval >= 0;
     const char *problem = scene_contradiction(o);
 
+    if (!problem)
+        problem = eye_contradiction(o);
     if (problem)
         return problem;
     if (o->plan.density > 0 && o->plan.view_size_px > 0)

@@ -43,6 +43,8 @@ const struct option option_list[] = {
     {"density", required_argument, NULL, OPTION_DENSITY},
     {"view-size", required_argument, NULL, OPTION_VIEW_SIZE},
     {"guard", required_argument, NULL, OPTION_GUARD},
+    {"head-radius", required_argument, NULL, OPTION_HEAD_RADIUS},
+    {"eye-circle", required_argument, NULL, OPTION_EYE_CIRCLE},
     {"view-format", required_argument, NULL, OPTION_VIEW_FORMAT},
     {"msaa", required_argument, NULL, OPTION_MSAA},
     {"depth", required_argument, NULL, OPTION_DEPTH},

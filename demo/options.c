@@ -208,6 +208,11 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
         return value_integer(c, text, 1, 16384, &o->plan.view_size_px);
     case OPTION_GUARD:
         return value_integer(c, text, 1, 256, &o->plan.guard_px);
+    case OPTION_HEAD_RADIUS:
+        return number(c, text, (struct number_range){0, 1000, .above_low = true},
+                      &o->head_radius_m);
+    case OPTION_EYE_CIRCLE:
+        return number(c, text, (struct number_range){0, 1000, .above_low = true}, &o->eye_circle_m);
     case OPTION_VIEW_FORMAT:
         return value_name(c, text, view_format_name, &o->view_format);
     case OPTION_MSAA:

@@ -77,6 +77,7 @@ struct options {
 
     bool views_given; /* any of the options about views */
     struct cupola_plan_params plan;
+    struct optional head_radius_m, eye_circle_m;
     enum cupola_table table;
     int view_format; /* -1: not given; else of enum cupola_format */
     int samples;     /* per texel of a view; 0: not given */

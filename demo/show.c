@@ -148,7 +148,7 @@ void show_size(const struct show *show, int *width, int *height)
 
 const cupola_dome *show_dome(const struct show *show)
 {
-    return show->dome;
+    return show->plan ? cupola_plan_dome(show->plan) : show->dome;
 }
 
 const struct cupola_plan_report *show_report(const struct show *show)
@@ -178,7 +178,7 @@ double show_time_tables_ms(const struct show *show)
 static void eye_places(const struct show *show, const struct host_camera *camera, double eye[3],
                        double world[3])
 {
-    const struct cupola_rig *rig = cupola_dome_rig(show->dome);
+    const struct cupola_rig *rig = cupola_dome_rig(show_dome(show));
 
     cupola_dome_to_camera(show->dome, rig->eye_m, eye);
     for (int i = 0; i < 3; i++)
@@ -203,7 +203,7 @@ static bool draw_views(struct show *show, const struct show_frame *frame, const 
         frame->scene->draw(frame->scene,
                            &(struct scene_camera){&view.camera, host, show->setup.reversed_depth});
         if (frame->grid)
-            grid_draw(frame->grid, show->dome, cupola_plan_view(show->plan, i));
+            grid_draw(frame->grid, show_dome(show), cupola_plan_view(show->plan, i));
         if (cupola_gl_view_end(show->gl, error) < 0)
             return false;
     }
@@ -319,7 +319,7 @@ static bool draw_theatre(struct show *show, const struct show_frame *frame,
     for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
         images[i] = show->images[i].texture;
     if (show->setup.mode == SHOW_PREVIEW_EYE)
-        cupola_spectator_at_eye(show->dome, &spectator);
+        cupola_spectator_at_eye(show_dome(show), &spectator);
     else
         cupola_spectator_outside(show->dome, &spectator);
     spectator.encoding = view_wishes_encoding(&show->setup);
@@ -352,6 +352,15 @@ static bool draw_scene(struct show *show, const struct show_frame *frame,
     return true;
 }
 
+/* The one that the GL draws for, and the one that the demo itself asks. */
+static bool move_eye(struct show *show, const double *eye_m, struct cupola_error *error)
+{
+    if (!eye_m || !show->plan)
+        return true;
+    return cupola_gl_set_eye(show->gl, eye_m, error) >= 0 &&
+           cupola_plan_set_eye(show->plan, eye_m, error) >= 0;
+}
+
 bool show_draw(struct show *show, const struct show_frame *frame, char *message)
 {
     struct cupola_error error = {0};
@@ -362,7 +371,8 @@ bool show_draw(struct show *show, const struct show_frame *frame, char *message)
         frame->scene->drawn = (struct scene_counts){0, 0};
     phase_ms(frame, 0);
     start_ms = now_ms();
-    if (!frame->source && !draw_scene(show, frame, &error))
+    if (!move_eye(show, frame->eye_m, &error) ||
+        (!frame->source && !draw_scene(show, frame, &error)))
         goto fail;
     times.views_ms = phase_ms(frame, start_ms);
     if (show->setup.mode == SHOW_VIEWS) {

@@ -47,6 +47,7 @@ struct show_frame {
     const struct cupola_source *source; /* NULL: the scene */
     struct scene *scene;
     const struct host_camera *camera;
+    const double *eye_m; /* the viewer's, dome frame; NULL: the rig's */
     struct scene_range *range;
     struct grid *grid;                     /* drawn over every view; NULL: none */
     const struct cupola_overlay *overlays; /* over the dome's image */
@@ -67,6 +68,7 @@ void show_draw_atlas(const struct show *show, unsigned int framebuffer,
 /* The size of the picture that the mode makes when nothing else is wished. */
 void show_size(const struct show *show, int *width, int *height);
 
+/* With the eye where it is now. */
 const cupola_dome *show_dome(const struct show *show);
 
 /* NULL for a perspective view, which has no plan. */

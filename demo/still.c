@@ -8,6 +8,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "eye_path.h"
 #include "file_clash.h"
 #include "film_output.h"
 #include "headless.h"
@@ -17,6 +18,7 @@
 #include "world.h"
 
 struct still {
+    struct cupola_rig rig; /* complete */
     struct headless *headless;
     struct world world;
     struct marks marks;
@@ -85,6 +87,7 @@ static bool capture(const struct still *still, const struct options *options, lo
 static bool draw(struct still *still, const struct options *options, char *message)
 {
     long frames = options->frames > 0 ? options->frames : 1;
+    double eye_m[3];
     struct frame_times times;
     struct scene_range range = {0};
     struct show_frame frame = {
@@ -107,6 +110,8 @@ static bool draw(struct still *still, const struct options *options, char *messa
     for (long i = 0; i < frames; i++) {
         if (still->world.film && !film_seek(still->world.film, i, message))
             return false;
+        if (eye_path_place(options, &still->rig, (double)i / (double)frames, eye_m))
+            frame.eye_m = eye_m;
         if (!show_draw(still->show, &frame, message))
             return false;
         if (still->stats)
@@ -123,8 +128,7 @@ static bool write_files(struct still *still, const struct options *options, cons
 {
     struct cupola_error error = {0};
 
-    if (options->save_rig &&
-        cupola_rig_write(options->save_rig, cupola_dome_rig(show_dome(still->show)), &error) < 0) {
+    if (options->save_rig && cupola_rig_write(options->save_rig, &still->rig, &error) < 0) {
         snprintf(message, MESSAGE_SIZE, "--save-rig: %s", error.message);
         return false;
     }
@@ -152,7 +156,7 @@ const char *still_default_path(const struct options *options)
 
 int still_run(const struct options *options, const struct show_setup *setup, char *message)
 {
-    struct still still = {.numbered = film_output_is_numbered(options)};
+    struct still still = {.rig = setup->rig, .numbered = film_output_is_numbered(options)};
     FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
     const char *path = options->output;
     int status;

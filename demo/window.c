@@ -9,6 +9,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "eye_path.h"
 #include "film_output.h"
 #include "stats.h"
 #include "window_state.h"
@@ -211,10 +212,11 @@ static void follow_size(struct window *window)
     window_change(window, &window->setup);
 }
 
-static bool draw(struct window *window, struct stats *stats, char *message)
+static bool draw(struct window *window, const struct options *options, struct stats *stats,
+                 char *message)
 {
     struct frame_times times;
-    double direction[3];
+    double direction[3], eye_m[3];
     struct show_frame frame = {
         .source = window->world.film ? film_source(window->world.film) : NULL,
         .scene = window->world.scene,
@@ -234,6 +236,9 @@ static bool draw(struct window *window, struct stats *stats, char *message)
         !film_seek(window->world.film, film_index(window->world.film, now_ms() - window->start_ms),
                    message))
         return false;
+    if (eye_path_place(options, &window->setup.rig,
+                       (now_ms() - window->start_ms) / EYE_PATH_TURN_MS, eye_m))
+        frame.eye_m = eye_m;
     if (!show_draw(window->show, &frame, message))
         return false;
     if (stats)
@@ -261,7 +266,7 @@ static bool loop(struct window *window, const struct options *options, struct st
         if (window->resized)
             follow_size(window);
         window_fly(window);
-        if (!draw(window, stats, message))
+        if (!draw(window, options, stats, message))
             return false;
         glfwSwapBuffers(window->handle);
         time_ms = now_ms();

@@ -112,6 +112,43 @@ static void more_samples_than_the_gl_has_are_a_failure(void **state)
     assert_non_null(strstr(process.err, "samples is 64; allowed"));
 }
 
+static struct picture picture_read(const char *name)
+{
+    struct picture picture = {0};
+    struct cupola_error error = {0};
+
+    if (cupola_pfm_read(name, &picture.rgba, &picture.width, &picture.height, &error) < 0)
+        fail_msg("%s", error.message);
+    return picture;
+}
+
+/* Rays seen from a circle: each picture is that of a viewer who rests there. */
+static void a_viewer_who_moves_sees_what_one_who_rests_there_does(void **state)
+{
+#define RAYS "--scene directions --fov 140 --size 96x96 --viewer 0.1,0,0 "
+    static const char *const resting[4] = {"0.4,0,0", "0.1,0.3,0", "-0.2,0,0", "0.1,-0.3,0"};
+
+    (void)state;
+    int files = process_count_files();
+    demo_run(&process, RAYS "--eye-circle 0.3 --table angles --frames 4 --output eye-%d.pfm");
+    assert_int_equal(process_count_files(), files + 4);
+    for (int i = 0; i < 4; i++) {
+        char name[16], command[160];
+        snprintf(name, sizeof name, "eye-%d.pfm", i);
+        snprintf(command, sizeof command, RAYS "--viewer %s", resting[i]);
+        struct picture moved = picture_read(name), rests = demo_run_pfm(&process, command);
+        struct picture middle = demo_run_pfm(&process, RAYS);
+        check_at_most(picture_difference(&moved, &rests), 5e-4);
+        check_at_least(picture_difference(&moved, &middle), 0.05); /* the control */
+        cupola_image_free(&moved.rgba);
+        cupola_image_free(&rests.rgba);
+        cupola_image_free(&middle.rgba);
+    }
+    files = process_count_files();
+    demo_run(&process, "--size 16x16 --eye-circle 0.1 --head-radius 0.2 --output turn-%03d.png");
+    assert_int_equal(process_count_files(), files + 120);
+}
+
 int main(void)
 {
     const struct CMUnitTest views[] = {
@@ -119,6 +156,7 @@ int main(void)
         cmocka_unit_test(every_format_shows_the_same_colors),
         cmocka_unit_test(samples_soften_edges_and_one_does_not),
         cmocka_unit_test(more_samples_than_the_gl_has_are_a_failure),
+        cmocka_unit_test(a_viewer_who_moves_sees_what_one_who_rests_there_does),
     };
     return cmocka_run_group_tests(views, process_enter_directory, process_leave_directory);
 }

@@ -1,7 +1,7 @@
 /*
  * What moving the eye does and leaves alone: eyes that are refused change nothing, a gl does not
- * depend on the plan that it was made from, moving makes no GL call, and what follows in a warp is a
- * host's own state afterwards, whatever it was.
+ * depend on the plan that it was made from, moving makes no GL call, and the warp that follows
+ * leaves a host its state, whatever that was.
  */
 #include <stdio.h>
 #include <stdlib.h>
