@@ -14,8 +14,9 @@ static int set_eye(cupola_gl *gl, const double eye_m[3], struct cupola_error *er
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
     if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
         return CUPOLA_ERROR_LOST;
-    if (gl->view_open)
-        return error_set(error, CUPOLA_ERROR_ORDER, "set_eye inside of a view; end it first");
+    if (open_kind(gl))
+        return error_set(error, CUPOLA_ERROR_ORDER, "set_eye inside of a %s; end it first",
+                         open_kind(gl));
     const double *here_m = gl->plan.dome.rig.eye_m;
     if (eye_m && memcmp(eye_m, here_m, sizeof gl->plan.dome.rig.eye_m) == 0)
         return CUPOLA_OK;

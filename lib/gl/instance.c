@@ -9,6 +9,7 @@
 #include "gl_objects.h"
 #include "log.h"
 #include "names.h"
+#include "one_pass.h"
 
 static const char *const table_names[] = {
     [CUPOLA_TABLE_POINTS] = "points",           [CUPOLA_TABLE_NONE] = "none",
@@ -58,6 +59,11 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (params->sources >> SOURCE_KINDS)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "sources is 0x%x; allowed: 0 to 0x%x",
                          params->sources, (1u << SOURCE_KINDS) - 1u);
+    bool views = !params->sources || params->sources & 1u << CUPOLA_SOURCE_VIEWS;
+    if (params->one_pass && (params->storage != CUPOLA_STORAGE_ATLAS || !views))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "one_pass is true, which is for views in the atlas; allowed without them: "
+                         "false");
     status = color_check("border", params->border, error);
     return status == CUPOLA_OK ? log_check(&params->log, error) : status;
 }
@@ -72,6 +78,7 @@ static void destroy_objects(cupola_gl *gl)
     for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
         warp_pass_destroy(&gl->passes[i]);
     views_destroy(gl);
+    one_pass_destroy(gl);
     glDeleteSamplers(1, &gl->sampler);
     glDeleteSamplers(1, &gl->image_sampler);
     glDeleteSamplers(1, &gl->gain_sampler);
@@ -99,6 +106,8 @@ static int create_objects(cupola_gl *gl, struct cupola_error *error)
     if (status == CUPOLA_OK && views)
         status = gl->params.storage == CUPOLA_STORAGE_ATLAS ? views_create(gl, error)
                                                             : view_images_create(gl, error);
+    if (status == CUPOLA_OK && gl->params.one_pass)
+        status = one_pass_create(gl, error);
     if (status == CUPOLA_OK)
         status = create_sampler(gl, error);
     for (int i = 0; status == CUPOLA_OK && i < gl->plan.dome.rig.output_count; i++)
@@ -187,6 +196,8 @@ void cupola_gl_destroy(cupola_gl **gl)
     if (guest_check(&gone->guest, &unwanted) == CUPOLA_OK) {
         if (gone->view_open)
             cupola_gl_view_end(gone, NULL);
+        if (gone->pass_open)
+            cupola_gl_pass_end(gone, NULL);
         destroy_objects(gone);
     }
     guest_tell(&gone->guest, CUPOLA_LOG_INFO, CUPOLA_LOG_DESTROYED, "a cupola_gl was destroyed%s",

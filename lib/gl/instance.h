@@ -16,6 +16,7 @@
 #include "geometry/source.h"
 #include "geometry/tiles.h"
 #include "guest.h"
+#include "host_areas.h"
 #include "host_state.h"
 
 /* What shows one kind of source on one output. */
@@ -92,8 +93,11 @@ struct cupola_gl {
     bool frame_begun;
     unsigned int views_begun; /* in this frame: 1 << index of each */
     bool view_open;
-    struct cupola_rect open_rect;   /* of that view */
-    struct host_target host_target; /* while a view is open, unless the state is left */
+    int open_view;                  /* its index */
+    bool pass_open;                 /* over all views */
+    GLuint pass_buffer;             /* the uniform block of one_pass.h; 0 where it was not wished */
+    struct host_areas host_areas;   /* while a pass is open, unless the state is left */
+    struct host_target host_target; /* while a view or a pass is open; likewise */
     bool view_grouped;              /* the same, in a debug group */
     bool views_drawn;               /* one of them at least, ever */
     bool blank_told;                /* that none was */
@@ -115,6 +119,22 @@ int views_check_params(const struct cupola_gl_params *params, struct cupola_erro
 int views_create(cupola_gl *gl, struct cupola_error *error);
 void views_destroy(cupola_gl *gl);
 bool views_have_stencil(const cupola_gl *gl);
+
+/* The host's state saved already: makes one view ready to be drawn; -1: all of them. */
+void views_clear(cupola_gl *gl, int index);
+
+/*
+ * The end of one view, or of all of a pass: samples of `count` views from `first` on are resolved,
+ * and all that view_begin changed for the host is put back.
+ */
+void views_finish(cupola_gl *gl, int first, int count);
+
+/* What is open: "view", "pass" or NULL. */
+static inline const char *open_kind(const cupola_gl *gl)
+{
+    return gl->view_open ? "view" : gl->pass_open ? "pass" : NULL;
+}
+
 const char *views_format_name(const cupola_gl *gl);
 const char *views_depth_name(const cupola_gl *gl);
 

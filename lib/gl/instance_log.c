@@ -43,6 +43,7 @@ static void tell_features(const cupola_gl *gl)
         const char *name;
     } features[] = {
         {f->viewport_array, "viewport arrays"},
+        {gl->pass_buffer != 0, "all views in one pass"},
         {f->clip_control, "clip control"},
         {f->mask_per_buffer, "a colour mask for each draw buffer"},
         {f->blend_per_buffer, "blending for each draw buffer"},

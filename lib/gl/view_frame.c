@@ -16,8 +16,9 @@ static int frame_begin(cupola_gl *gl, const struct cupola_frame *frame, struct c
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "gl was made for textures of the host's, which cupola_gl_views_import "
                          "takes; allowed: one with storage atlas");
-    if (gl->view_open)
-        return error_set(error, CUPOLA_ERROR_ORDER, "frame_begin inside of a view; end it first");
+    if (open_kind(gl))
+        return error_set(error, CUPOLA_ERROR_ORDER, "frame_begin inside of a %s; end it first",
+                         open_kind(gl));
     struct cupola_frame wished = frame ? *frame : (struct cupola_frame){.clear_color = {0}};
     struct cupola_camera camera;
     int status = cupola_plan_camera(&gl->plan, 0, &wished.depth, &camera, error);
@@ -60,14 +61,15 @@ static void clear_area(const cupola_gl *gl)
  * The first view of a frame clears the whole atlas: most GLs only note that all of a framebuffer is
  * clear, but draw where a part of it is to be. A view that begins again clears its own part.
  */
-static void clear_views(cupola_gl *gl, int index)
+void views_clear(cupola_gl *gl, int index)
 {
     const struct cupola_plan_report *report = &gl->plan.report;
     struct cupola_rect area = {0, 0, report->atlas_width_px, report->atlas_height_px};
-    unsigned int view = 1u << index;
-    if (gl->views_begun & view)
+    bool all = index < 0;
+    unsigned int view = all ? (1u << gl->plan.view_count) - 1u : 1u << index;
+    if (!all && gl->views_begun & view)
         area = gl->plan.views[index].rect;
-    if (!gl->views_begun || gl->views_begun & view) {
+    if (all || !gl->views_begun || gl->views_begun & view) {
         host_set_area(&gl->features, area.x, area.y, area.width, area.height);
         clear_area(gl);
     }
@@ -82,10 +84,12 @@ static int view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
     if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
         return CUPOLA_ERROR_LOST;
-    if (!gl->frame_begun || gl->view_open)
-        return error_set(error, CUPOLA_ERROR_ORDER, "view_begin %s",
-                         gl->view_open ? "inside of a view; end it first"
-                                       : "before frame_begin; begin a frame first");
+    if (open_kind(gl))
+        return error_set(error, CUPOLA_ERROR_ORDER, "view_begin inside of a %s; end it first",
+                         open_kind(gl));
+    if (!gl->frame_begun)
+        return error_set(error, CUPOLA_ERROR_ORDER,
+                         "view_begin before frame_begin; begin a frame first");
     int status = cupola_plan_camera(&gl->plan, index, &gl->frame.depth, &camera, error);
     if (status != CUPOLA_OK || (status = guest_check(&gl->guest, error)) != CUPOLA_OK)
         return status;
@@ -96,12 +100,12 @@ static int view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
     gl->host_target = work.state.target;
     gl->view_grouped = work.grouped;
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
-    clear_views(gl, index);
+    views_clear(gl, index);
     host_state_restore(&work.state); /* the group stays open for what the host draws */
     glBindFramebuffer(GL_FRAMEBUFFER, gl->framebuffer);
     host_set_area(&gl->features, rect.x, rect.y, rect.width, rect.height);
     gl->view_open = true;
-    gl->open_rect = rect;
+    gl->open_view = index;
     if (view)
         *view = (struct cupola_gl_view){gl->framebuffer, rect, camera};
     return CUPOLA_OK;
@@ -116,22 +120,36 @@ int cupola_gl_view_begin(cupola_gl *gl, int index, struct cupola_gl_view *view,
 }
 
 /*
- * The view's samples into the atlas. Of the host's state only the scissor test and the encoding
+ * The views' samples into the atlas. Of the host's state only the scissor test and the encoding
  * concern a blit; each sample is decoded, and their mean encoded.
  */
-static void resolve_view(const cupola_gl *gl)
+static void resolve_views(const cupola_gl *gl, int first, int count)
 {
-    const struct cupola_rect *rect = &gl->open_rect;
-    int right = rect->x + rect->width, top = rect->y + rect->height;
     bool encoding = !gl->guest.leaves_state && host_encoding_is_on(&gl->features);
     host_set_encoding(&gl->features, true);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, gl->framebuffer);
     glReadBuffer(GL_COLOR_ATTACHMENT0); /* the host may have read something else */
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, gl->resolved);
-    host_set_area(&gl->features, rect->x, rect->y, rect->width, rect->height);
-    glBlitFramebuffer(rect->x, rect->y, right, top, rect->x, rect->y, right, top,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    for (int i = first; i < first + count; i++) {
+        const struct cupola_rect *rect = &gl->plan.views[i].rect;
+        int right = rect->x + rect->width, top = rect->y + rect->height;
+        host_set_area(&gl->features, rect->x, rect->y, rect->width, rect->height);
+        glBlitFramebuffer(rect->x, rect->y, right, top, rect->x, rect->y, right, top,
+                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
     host_set_encoding(&gl->features, encoding);
+}
+
+void views_finish(cupola_gl *gl, int first, int count)
+{
+    if (gl->resolved)
+        resolve_views(gl, first, count);
+    if (!gl->guest.leaves_state) {
+        host_target_forget_deleted(&gl->host_target);
+        host_target_restore(&gl->host_target, &gl->features);
+    }
+    guest_group_close(&gl->guest, gl->view_grouped);
+    gl->views_drawn = true;
 }
 
 static int view_end(cupola_gl *gl, struct cupola_error *error)
@@ -145,15 +163,8 @@ static int view_end(cupola_gl *gl, struct cupola_error *error)
         gl->view_open = false;
     if (status != CUPOLA_OK)
         return status;
-    if (gl->resolved)
-        resolve_view(gl);
-    if (!gl->guest.leaves_state) {
-        host_target_forget_deleted(&gl->host_target);
-        host_target_restore(&gl->host_target, &gl->features);
-    }
-    guest_group_close(&gl->guest, gl->view_grouped);
+    views_finish(gl, gl->open_view, 1);
     gl->view_open = false;
-    gl->views_drawn = true;
     return CUPOLA_OK;
 }
 

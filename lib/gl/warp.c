@@ -171,8 +171,8 @@ int output_check(cupola_gl *gl, int output, struct cupola_error *error)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "gl is NULL");
     if (guest_check_seen(&gl->guest, error) != CUPOLA_OK)
         return CUPOLA_ERROR_LOST;
-    if (gl->view_open)
-        return error_set(error, CUPOLA_ERROR_ORDER, "a view is open; end it first");
+    if (open_kind(gl))
+        return error_set(error, CUPOLA_ERROR_ORDER, "a %s is open; end it first", open_kind(gl));
     if (output < 0 || output >= gl->plan.dome.rig.output_count)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "output is %d; allowed: 0 to %d", output,
                          gl->plan.dome.rig.output_count - 1);

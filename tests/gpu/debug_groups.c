@@ -169,6 +169,7 @@ static void every_phase_is_a_group(void **state)
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         if (!heard(names[i]))
             fail_msg("no group '%s'", names[i]);
+    assert_int_equal(heard("Cupola pass"), cupola_pass_way(NULL) > 0);
     assert_int_equal(check_nesting(), 2);
     assert_int_equal(depth(), 1);
 }

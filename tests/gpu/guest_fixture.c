@@ -123,6 +123,9 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
                          1u << CUPOLA_SOURCE_EQUIRECTANGULAR | 1u << CUPOLA_SOURCE_CUBE;
     struct cupola_gl_params staged;
     house->storage = wished.storage;
+    house->one_pass =
+        wished.storage == CUPOLA_STORAGE_ATLAS && wished.sources & 1u && cupola_pass_way(NULL) > 0;
+    wished.one_pass = house->one_pass;
     return cupola_gl_create(house->plan, fixture_with_stage(&wished, &staged), &house->gl, error);
 }
 
@@ -152,6 +155,22 @@ int guest_import(struct guest_house *house, struct cupola_error *error)
     return cupola_gl_views_import(house->gl, images, error);
 }
 
+/* Something in each view. */
+int guest_pass(struct guest_house *house, struct cupola_error *error)
+{
+    struct cupola_gl_pass pass;
+    int status = cupola_gl_pass_begin(house->gl, NULL, &pass, error);
+    if (status < 0)
+        return status;
+    for (int i = 0; i < pass.view_count; i++) {
+        const GLfloat color[4] = {0.2f * (float)i, 0.5f, 0.9f - 0.2f * (float)i, 1};
+        const struct cupola_rect *rect = &pass.views[i].rect;
+        glScissorIndexed(0, rect->x, rect->y, rect->width, rect->height); /* as clears have it */
+        glClearBufferfv(GL_COLOR, 0, color);
+    }
+    return cupola_gl_pass_end(house->gl, error);
+}
+
 int guest_views(struct guest_house *house, struct cupola_error *error)
 {
     if (house->storage != CUPOLA_STORAGE_ATLAS)
@@ -167,7 +186,8 @@ int guest_views(struct guest_house *house, struct cupola_error *error)
         if (status < 0)
             return status;
     }
-    return views;
+    int status = views < 0 || !house->one_pass ? views : guest_pass(house, error);
+    return status < 0 ? status : views;
 }
 
 int guest_warp(struct guest_house *house, int picture, struct cupola_error *error)

@@ -17,6 +17,7 @@ struct guest_house {
     struct cupola_source pictures[GUEST_PICTURES];
     GLuint gain;
     enum cupola_storage storage; /* of gl */
+    bool one_pass;               /* gl draws its views in one pass, too */
     GLuint view_textures[2];     /* of the host's: a 2-D texture, an array */
     struct cupola_target target;
     GLuint target_texture;
@@ -39,13 +40,15 @@ int guest_gl_create(struct guest_house *house, const struct cupola_gl_params *pa
                     struct cupola_error *error);
 
 /*
- * One frame: the views, drawn by clears or imported, then each source warped over the one before,
- * then overlays. With a status below 0 it ends, and that is what it returns. Where the viewer
- * moves, it does at the beginning: away, and always to the same place.
+ * One frame: the views, drawn by clears (one by one, and where the GL can in one pass) or imported,
+ * then each source warped over the one before, then overlays. With a status below 0 it ends, and
+ * that is what it returns. Where the viewer moves, it does at the beginning: away, and always to
+ * the same place.
  */
 int guest_move(struct guest_house *house, struct cupola_error *error);
 int guest_frame(struct guest_house *house, struct cupola_error *error);
 int guest_views(struct guest_house *house, struct cupola_error *error);
+int guest_pass(struct guest_house *house, struct cupola_error *error); /* after frame_begin */
 int guest_import(struct guest_house *house, struct cupola_error *error);
 int guest_warp(struct guest_house *house, int picture, struct cupola_error *error); /* -1: views */
 int guest_overlays(struct guest_house *house, struct cupola_error *error);

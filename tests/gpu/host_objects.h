@@ -147,8 +147,10 @@ static struct fixture sampled;
 static inline void sampled_create(void)
 {
     const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 90.0, 48);
-    const struct cupola_gl_params params = {
-        .format = CUPOLA_FORMAT_SRGB8, .depth = CUPOLA_DEPTH_24_STENCIL_8, .samples = 2};
+    const struct cupola_gl_params params = {.format = CUPOLA_FORMAT_SRGB8,
+                                            .depth = CUPOLA_DEPTH_24_STENCIL_8,
+                                            .samples = 2,
+                                            .one_pass = cupola_pass_way(NULL) > 0};
     fixture_make(&rig, NULL, &params, &sampled);
 }
 

@@ -10,80 +10,13 @@
 #include "context.h"
 #include "fixture.h"
 #include "host_objects.h"
+#include "host_results.h"
 #include "hostilities.h"
 #include "rig_random.h"
 
-enum { WIDTH = 48, HEIGHT = 40, RESULTS_MAX = 1 << 20 };
+enum { WIDTH = 48, HEIGHT = 40 };
 
 static struct snapshot clean;
-
-/* All that was drawn, as one row of numbers. */
-struct results {
-    int count;
-    float *values;
-};
-
-static bool depth_is_readable(void)
-{
-    return context_has(33, NULL, NO_VERSION, "GL_NV_read_depth");
-}
-
-/* Depth as whatever number of 32 bits it is; results are compared bit by bit. */
-static void read_depth(int width, int height, float *values)
-{
-    GLint type = GL_FLOAT;
-    if (!depth_is_readable())
-        return;
-    if (context_is_es())
-        glGetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
-                                              GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-    glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT,
-                 type == GL_FLOAT ? GL_FLOAT : GL_UNSIGNED_INT, values);
-}
-
-static void add_pixels(struct results *results, GLuint framebuffer, GLenum format, int width,
-                       int height)
-{
-    int channels = format == GL_RGBA ? 4 : 1;
-    float *values = results->values + results->count;
-    assert_true(results->count + channels * width * height <= RESULTS_MAX);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    if (format == GL_RGBA)
-        context_read_pixels(width, height, values);
-    else
-        read_depth(width, height, values);
-    results->count += channels * width * height;
-}
-
-static void add_targets(struct results *results)
-{
-    for (int i = 0; i < TARGETS; i++)
-        add_pixels(results, target_resolved(i), GL_RGBA, TARGET_WIDTH, TARGET_HEIGHT);
-}
-
-static void add_sampled(struct results *results)
-{
-    const struct cupola_plan_report *report = cupola_plan_report(sampled.plan);
-    int values = 4 * report->atlas_width_px * report->atlas_height_px;
-    float *atlas = fixture_atlas(&sampled);
-    assert_true(results->count + values <= RESULTS_MAX);
-    memcpy(results->values + results->count, atlas, (size_t)values * sizeof *atlas);
-    results->count += values;
-    free(atlas);
-}
-
-static struct results results_create(void)
-{
-    struct results results = {0, calloc(RESULTS_MAX, sizeof(float))};
-    assert_non_null(results.values);
-    return results;
-}
-
-static bool results_equal(const struct results *a, const struct results *b)
-{
-    return a->count == b->count &&
-           memcmp(a->values, b->values, (size_t)a->count * sizeof(float)) == 0;
-}
 
 static void be_clean(void)
 {
@@ -206,6 +139,45 @@ static void begin_views(cupola_gl *gl, const struct host *host)
     }
 }
 
+/* As check_host, but viewports and scissor rectangles of all views are the pass's by now. */
+static void check_host_in_pass(const struct host *host, int views, int status)
+{
+    struct host inside = *host;
+    struct snapshot now;
+    snapshot_take(&now);
+    for (int i = 0; i < now.count; i++) {
+        GLenum name = now.entries[i].name;
+        int at = now.entries[i].index / (name == GL_SCISSOR_TEST ? 1 : 4);
+        bool area = name == GL_VIEWPORT || name == GL_SCISSOR_BOX || name == GL_SCISSOR_TEST;
+        if (area && at < views)
+            inside.before.entries[i].value = now.entries[i].value;
+    }
+    check_host(&inside, false, status, "pass_begin");
+}
+
+/* By clears of other colours than those of the views. */
+static void begin_pass(cupola_gl *gl, const struct host *host)
+{
+    const struct cupola_frame frame = {.clear_color = {0.8f, 0.2f, 0.4f, 0.6f}};
+    struct cupola_gl_pass pass;
+    int views = cupola_gl_frame_begin(gl, &frame, NULL);
+    if (cupola_pass_way(NULL) < 0)
+        return;
+    check_host_in_pass(host, views, cupola_gl_pass_begin(gl, NULL, &pass, NULL));
+    assert_int_equal(pass.view_count, views);
+    for (int i = 0; i < views; i++) {
+        GLfloat viewport[4];
+        GLint scissor[4];
+        glGetFloati_v(GL_VIEWPORT, (GLuint)i, viewport);
+        glGetIntegeri_v(GL_SCISSOR_BOX, (GLuint)i, scissor);
+        assert_int_equal((int)viewport[0], pass.views[i].rect.x);
+        assert_int_equal((int)viewport[2], pass.views[i].rect.width);
+        assert_int_equal(scissor[1], pass.views[i].rect.y);
+        assert_true(glIsEnabledi(GL_SCISSOR_TEST, (GLuint)i));
+    }
+    check_host(host, true, cupola_gl_pass_end(gl, NULL), "pass_end");
+}
+
 static void draw_targets(cupola_gl *gl, cupola_theatre *theatre, const cupola_dome *dome,
                          const GLuint images[2], const struct host *host)
 {
@@ -248,6 +220,11 @@ static struct results all_calls(struct host *host)
     be_hostile(host);
     begin_views(gl, host);
     begin_views(sampled.gl, host);
+    be_clean();
+    add_sampled(&results);
+    be_clean();
+    be_hostile(host);
+    begin_pass(sampled.gl, host);
     be_clean();
     add_sampled(&results);
     be_clean();

@@ -135,6 +135,7 @@ MAKES(CompileShader, GL_NO_ERROR, (GLuint a), (a))
 MAKES(LinkProgram, GL_NO_ERROR, (GLuint a), (a))
 ASKS(GetBooleanv, 1, GLboolean, (GLenum name, GLboolean *values), (name, values))
 ASKS(GetFloatv, 4, GLfloat, (GLenum name, GLfloat *values), (name, values))
+ASKS(GetFloati_v, 4, GLfloat, (GLenum name, GLuint index, GLfloat *values), (name, index, values))
 ASKS(GetIntegeri_v, 4, GLint, (GLenum name, GLuint index, GLint *values), (name, index, values))
 ASKS(GetFramebufferAttachmentParameteriv, 1, GLint,
      (GLenum target, GLenum at, GLenum name, GLint *values), (target, at, name, values))
@@ -149,6 +150,7 @@ ASKS(GetProgramiv, 1, GLint, (GLuint program, GLenum name, GLint *values), (prog
 ASKS(GetShaderiv, 1, GLint, (GLuint shader, GLenum name, GLint *values), (shader, name, values))
 ASKS(GetInteger64v, 1, GLint64, (GLenum name, GLint64 *values), (name, values))
 ANSWERS(IsEnabled, GLboolean, 77, (GLenum a), (a))
+ANSWERS(IsEnabledi, GLboolean, 77, (GLenum a, GLuint b), (a, b))
 ANSWERS(IsFramebuffer, GLboolean, 77, (GLuint a), (a))
 ANSWERS(IsProgram, GLboolean, 77, (GLuint a), (a))
 ANSWERS(IsTexture, GLboolean, 77, (GLuint a), (a))
@@ -159,6 +161,7 @@ RESETS(GetGraphicsResetStatusARB)
 RESETS(GetGraphicsResetStatusEXT)
 DOES(DrawArrays, (GLenum a, GLint b, GLsizei c), (a, b, c))
 DOES(ClearBufferfv, (GLenum a, GLint b, const GLfloat *c), (a, b, c))
+DOES(BufferSubData, (GLenum a, GLintptr b, GLsizeiptr c, const void *d), (a, b, c, d))
 DOES(BindFramebuffer, (GLenum a, GLuint b), (a, b))
 DOES(UseProgram, (GLuint a), (a))
 DOES(PushDebugGroup, (GLenum a, GLuint b, GLsizei c, const GLchar *d), (a, b, c, d))
@@ -272,6 +275,7 @@ static GLuint hook_CreateProgram(void)
     X(GetIntegerv)                                                                                 \
     X(GetBooleanv)                                                                                 \
     X(GetFloatv)                                                                                   \
+    X(GetFloati_v)                                                                                 \
     X(GetIntegeri_v)                                                                               \
     X(GetFramebufferAttachmentParameteriv)                                                         \
     X(GetTexParameteriv)                                                                           \
@@ -284,6 +288,7 @@ static GLuint hook_CreateProgram(void)
     X(IsProgram)                                                                                   \
     X(IsTexture)                                                                                   \
     X(IsEnabled)                                                                                   \
+    X(IsEnabledi)                                                                                  \
     X(GetUniformLocation)                                                                          \
     X(GetGraphicsResetStatus)                                                                      \
     X(GetGraphicsResetStatusKHR)                                                                   \
@@ -291,6 +296,7 @@ static GLuint hook_CreateProgram(void)
     X(GetGraphicsResetStatusEXT)                                                                   \
     X(DrawArrays)                                                                                  \
     X(ClearBufferfv)                                                                               \
+    X(BufferSubData)                                                                               \
     X(BindFramebuffer)                                                                             \
     X(UseProgram)                                                                                  \
     X(PushDebugGroup)                                                                              \

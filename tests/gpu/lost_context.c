@@ -36,6 +36,10 @@ static int open_house(void **state)
         glEnablei(GL_BLEND, 0);
         glDisablei(GL_BLEND, 0);
     }
+    if (cupola_pass_way(NULL) > 0) {
+        glEnablei(GL_SCISSOR_TEST, 1);
+        glDisablei(GL_SCISSOR_TEST, 1);
+    }
     return 0;
 }
 
@@ -66,11 +70,13 @@ static void check_all_lost(bool also_theatre)
 {
     unsigned int points = 7;
     struct cupola_error error = {CUPOLA_OK, ""};
-    int called = interposed.called, expected = failures + 11;
+    int called = interposed.called, expected = failures + 13;
     struct cupola_view_image images[CUPOLA_VIEWS_MAX] = {{.texture = house.target_texture}};
     assert_int_equal(cupola_gl_frame_begin(house.gl, NULL, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_view_begin(house.gl, 0, NULL, NULL), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_view_end(house.gl, NULL), CUPOLA_ERROR_LOST);
+    assert_int_equal(cupola_gl_pass_begin(house.gl, NULL, NULL, NULL), CUPOLA_ERROR_LOST);
+    assert_int_equal(cupola_gl_pass_end(house.gl, NULL), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_warp(&house, -1, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_warp(&house, 0, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_points(house.gl, 0, &points, &error), CUPOLA_ERROR_LOST);
@@ -186,17 +192,23 @@ static void a_view_that_was_open_is_closed(void **state)
     (void)state;
     if (!context_can_tell())
         skip();
-    for (int end = 0; end < 3; end++) {
+    for (int end = 0; end < 5; end++) {
         interposed_begin();
         interposed.robust = true;
+        bool pass = end > 2; /* in place of a view */
         interposed.versionless = end == 2;
         told = failures = 0;
         assert_int_equal(make_all(&error), CUPOLA_OK);
         check_at_least(cupola_gl_frame_begin(house.gl, NULL, NULL), 1);
-        assert_int_equal(cupola_gl_view_begin(house.gl, 0, NULL, NULL), CUPOLA_OK);
+        pass = pass && house.one_pass;
+        assert_int_equal(pass ? cupola_gl_pass_begin(house.gl, NULL, NULL, NULL)
+                              : cupola_gl_view_begin(house.gl, 0, NULL, NULL),
+                         CUPOLA_OK);
         interposed.lost = true;
-        if (end) {
-            assert_int_equal(cupola_gl_view_end(house.gl, &error), CUPOLA_ERROR_LOST);
+        if (end && end != 3) {
+            assert_int_equal(pass ? cupola_gl_pass_end(house.gl, &error)
+                                  : cupola_gl_view_end(house.gl, &error),
+                             CUPOLA_ERROR_LOST);
             check_all_lost(false);
         }
         cupola_gl_destroy(&house.gl); /* with the view open, or without */

@@ -203,6 +203,45 @@ static void check_views(int which)
     state_reset();
 }
 
+/* After passes all indices are the views'; the block was written through a buffer's binding. */
+static void check_pass(int which)
+{
+    const cupola_gl *gl = house.gl;
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct cupola_gl_pass pass;
+    struct snapshot expected, now;
+    assert_true(cupola_gl_frame_begin(house.gl, NULL, &error) > 0);
+    be_hostile(which);
+    snapshot_take(&expected);
+    check_ok(cupola_gl_pass_begin(house.gl, NULL, &pass, &error), "pass_begin", &error);
+    snapshot_take(&now);
+    expect_each(&expected);
+    expect(&expected, GL_ARRAY_BUFFER_BINDING, 0, pass.buffer);
+    expect_area(&expected, pass.framebuffer, pass.framebuffer, &pass.views[0].rect);
+    for (int i = 1; i < pass.view_count; i++) {
+        const struct cupola_rect *rect = &pass.views[i].rect;
+        const int corners[4] = {rect->x, rect->y, rect->width, rect->height};
+        for (int k = 0; k < 4; k++) {
+            expect(&expected, GL_VIEWPORT, 4 * i + k, corners[k]);
+            expect(&expected, GL_SCISSOR_BOX, 4 * i + k, corners[k]);
+        }
+        expect(&expected, GL_SCISSOR_TEST, i, 1);
+    }
+    if (views_have_stencil(gl))
+        expect(&expected, GL_STENCIL_WRITEMASK, 0, all_stencil_bits);
+    check_row(&expected, &now, "pass_begin");
+    expected = now;
+    check_ok(cupola_gl_pass_end(house.gl, &error), "pass_end", &error);
+    snapshot_take(&now);
+    if (gl->resolved) {
+        expect_area(&expected, gl->resolved, gl->framebuffer,
+                    &pass.views[pass.view_count - 1].rect);
+        expect(&expected, GL_FRAMEBUFFER_SRGB, 0, 0);
+    }
+    check_row(&expected, &now, "pass_end");
+    state_reset();
+}
+
 static void check_import(int which)
 {
     struct cupola_error error = {CUPOLA_OK, ""};
@@ -272,7 +311,9 @@ static void what_is_left_is_what_the_contract_says(void **state)
                          &error);
                 if (wishes[i].storage == CUPOLA_STORAGE_ATLAS)
                     check_views(which);
-                else
+                if (house.one_pass)
+                    check_pass(which);
+                if (wishes[i].storage != CUPOLA_STORAGE_ATLAS)
                     check_import(which);
                 check_draws(which);
                 cupola_gl_destroy(&house.gl);

@@ -9,7 +9,7 @@
 
 #include "context.h"
 
-enum { SNAPSHOT_MAX = 1024, SNAPSHOT_UNITS = 12, SNAPSHOT_BUFFERS = 4, SNAPSHOT_VIEWPORTS = 3 };
+enum { SNAPSHOT_MAX = 1024, SNAPSHOT_UNITS = 12, SNAPSHOT_BUFFERS = 4, SNAPSHOT_VIEWPORTS = 8 };
 
 struct snapshot {
     int count;

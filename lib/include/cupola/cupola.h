@@ -10,6 +10,7 @@
 #include "gl.h"
 #include "lens.h"
 #include "log.h"
+#include "one_pass.h"
 #include "overlay.h"
 #include "plan.h"
 #include "reference.h"

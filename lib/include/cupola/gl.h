@@ -119,6 +119,7 @@ struct cupola_gl_params {
      * no atlas, no tables. 0: the views alone. */
     unsigned int sources;
     bool overlays; /* cupola_gl_overlay will be called (overlay.h): its program is made, too */
+    bool one_pass; /* cupola_gl_pass_begin will be called (one_pass.h): its buffer is made, too */
     /* For hosts that set all of their state before they draw again: frames neither ask for the GL's
      * state nor put it back, which is then what the call needed, and trust the host about what only
      * the GL could tell of textures and targets, that they exist included.
@@ -136,14 +137,14 @@ struct cupola_gl_params {
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, a parameter is not as said above,
  *          sources has a bit that is no kind, samples is not 0 to what this GL has of that format,
- *          the table of coordinates is wished for the host's textures, or the atlas or an output is
- *          larger than this GL's textures may be
+ *          the table of coordinates or one pass is wished for the host's textures, one pass without
+ *          views, or the atlas or an output is larger than this GL's textures may be
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
  *          CUPOLA_ERROR_GL if the GL refuses a texture, a framebuffer or a shader, has no views of
- *          that format, or cannot draw into floats and the table of angles, sines or coordinates
- *          is wished for a plan whose eye may move
+ *          that format, cannot draw them in one pass, which is wished, or cannot draw into floats
+ *          and the table of angles, sines or coordinates is wished for a plan whose eye may move
  * thread   the context's
  * since    0.1
  */
@@ -176,7 +177,7 @@ struct cupola_frame {
  * returns  the number of views to draw, 1 or more
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views or for the host's textures,
  *          the distances are not as said in plan.h, or the colour is not finite
- *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_ORDER inside a view or a pass
  *          CUPOLA_ERROR_LOST if that was seen by an earlier call
  * thread   the context's
  * since    0.1
@@ -201,7 +202,7 @@ struct cupola_gl_view {
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL or there is no such view
- *          CUPOLA_ERROR_ORDER before frame_begin or inside a view
+ *          CUPOLA_ERROR_ORDER before frame_begin, or inside a view or a pass
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  * thread   the context's
@@ -240,7 +241,7 @@ CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
  * error    may be NULL
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT for NULL or an eye outside of the sphere; the eye is as it was
- *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_ORDER inside a view or a pass
  *          CUPOLA_ERROR_LOST if that was seen by an earlier call
  * thread   the context's
  * since    0.1
@@ -294,7 +295,7 @@ CUPOLA_API int cupola_gl_views_import(cupola_gl *gl, const struct cupola_view_im
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl is NULL, there is no such output, or the texture is none or
  *          of another size or format (not asked for in OpenGL ES 3.0: see docs/host-contract.md)
- *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_ORDER inside a view or a pass
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
@@ -331,7 +332,7 @@ struct cupola_target {
  *          of that kind or not as source.h says (asked for where OpenGL ES is not 3.0), a texture
  *          that is sampled is a colour of the target, one that was imported or set as a gain has
  *          been deleted since, the gain has another size by now, or the target's corner is too far
- *          CUPOLA_ERROR_ORDER inside a view, or before the host's views were imported
+ *          CUPOLA_ERROR_ORDER inside a view or a pass, or before the host's views were imported
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, its draw buffer 0
@@ -364,7 +365,7 @@ CUPOLA_API unsigned int cupola_gl_atlas(const cupola_gl *gl);
  * returns  CUPOLA_OK
  *          CUPOLA_ERROR_ARGUMENT if gl or texture is NULL, there is no such output, or it is larger
  *          than this GL's textures may be
- *          CUPOLA_ERROR_ORDER inside a view
+ *          CUPOLA_ERROR_ORDER inside a view or a pass
  *          CUPOLA_ERROR_CONTEXT
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY

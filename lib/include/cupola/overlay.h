@@ -71,7 +71,7 @@ struct cupola_overlay {
  *           is no GL_TEXTURE_2D or not as said above (asked for where OpenGL ES is not 3.0), the
  *           output's gain has been deleted or is of another size by now, texture or gain is a
  *           colour of the target, or its corner is too far
- *           CUPOLA_ERROR_ORDER inside a view
+ *           CUPOLA_ERROR_ORDER inside a view or a pass
  *           CUPOLA_ERROR_CONTEXT, CUPOLA_ERROR_LOST
  *           CUPOLA_ERROR_GL if the framebuffer does not exist or is not complete, its draw buffer 0
  *           is none or of integers, the target is RGBA32F in an OpenGL ES without
