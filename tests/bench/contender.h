@@ -46,6 +46,9 @@ enum cupola_variant { CUPOLA_CHOICE = 0, CUPOLA_SAVES_VERTICES = -1, CUPOLA_UNMA
 extern const struct contender_kind contender_cupola;
 /* Cupola's own choice with the table stage that the variant is. */
 extern const struct contender_kind contender_stage;
+/* The same planned for a viewer who moves; at rest, and with another eye before every warp. */
+extern const struct contender_kind contender_resting;
+extern const struct contender_kind contender_moving;
 /* The views of Cupola's own choice, and a warp that computes nothing. */
 extern const struct contender_kind contender_control;
 

@@ -12,7 +12,8 @@ struct cupola_frames {
     const struct setting *setting;
     cupola_plan *plan;
     cupola_gl *gl;
-    GLuint program; /* of the control */
+    double eye_m[3], step_m; /* of a viewer who moves: to and fro */
+    GLuint program;          /* of the control */
     GLuint vertex_array;
 };
 
@@ -73,6 +74,22 @@ static void *stage_prepare(const struct setting *setting, int variant, char *mes
 
     params.table = (enum cupola_table)variant;
     return prepare(setting, &(struct cupola_plan_params){0}, &params, message);
+}
+
+static void *head_prepare(const struct setting *setting, int variant, char *message)
+{
+    const struct cupola_rig *rig = cupola_dome_rig(setting->dome);
+    struct cupola_plan_params plan = {.head_radius_m = 0.1 * rig->screen.radius_m};
+    struct cupola_gl_params params = setting->gl;
+
+    params.table = (enum cupola_table)variant;
+    struct cupola_frames *frames = prepare(setting, &plan, &params, message);
+    if (!frames)
+        return NULL;
+    for (int i = 0; i < 3; i++)
+        frames->eye_m[i] = rig->eye_m[i];
+    frames->step_m = 1e-5 * rig->screen.radius_m;
+    return frames;
 }
 
 static void *control_prepare(const struct setting *setting, int variant, char *message)
@@ -142,6 +159,16 @@ static bool frames_warp(void *self)
     return cupola_gl_warp(frames->gl, 0, NULL, &target, NULL) >= 0;
 }
 
+/* So short a step that the picture is that of the eye at rest; all follows as it would far off. */
+static bool moving_warp(void *self)
+{
+    struct cupola_frames *frames = self;
+
+    frames->eye_m[0] += frames->step_m;
+    frames->step_m = -frames->step_m;
+    return cupola_gl_set_eye(frames->gl, frames->eye_m, NULL) >= 0 && frames_warp(frames);
+}
+
 static bool control_warp(void *self)
 {
     struct cupola_frames *frames = self;
@@ -188,6 +215,16 @@ const struct contender_kind contender_stage = {.prepare = stage_prepare,
                                                .warp = frames_warp,
                                                .facts = frames_facts,
                                                .release = frames_release};
+const struct contender_kind contender_resting = {.prepare = head_prepare,
+                                                 .views = frames_views,
+                                                 .warp = frames_warp,
+                                                 .facts = frames_facts,
+                                                 .release = frames_release};
+const struct contender_kind contender_moving = {.prepare = head_prepare,
+                                                .views = frames_views,
+                                                .warp = moving_warp,
+                                                .facts = frames_facts,
+                                                .release = frames_release};
 const struct contender_kind contender_control = {.prepare = control_prepare,
                                                  .views = frames_views,
                                                  .warp = control_warp,

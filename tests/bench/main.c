@@ -99,7 +99,8 @@ static bool compare(struct bench *bench, struct setting *setting,
     bool done;
 
     count = choose(bench, all, count, contenders);
-    wishes.warp_alone = strcmp(heading->family, family_names[FAMILY_WARP]) == 0;
+    wishes.warp_alone = strcmp(heading->family, family_names[FAMILY_WARP]) == 0 ||
+                        strcmp(heading->family, family_names[FAMILY_EYE]) == 0;
     if (!take_scene(bench, &setting->load) ||
         !setting_create(setting, bench->scene, bench->message))
         return false;
@@ -169,6 +170,27 @@ static bool warp_one(struct bench *bench, struct setting *setting)
             return false;
     }
     return true;
+}
+
+/* Every stage with the viewer at rest, and moving before every warp. */
+static bool eye_one(struct bench *bench, struct setting *setting)
+{
+    struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, 0}};
+    int count = 1;
+
+    for (int i = 0; i < 15 && cupola_table_name(i); i++) {
+        struct contender *pair = &contenders[count];
+        pair[0] = (struct contender){.kind = &contender_resting, .variant = i};
+        pair[1] = (struct contender){.kind = &contender_moving, .variant = i};
+        snprintf(pair[0].name, sizeof pair[0].name, "%.20s", cupola_table_name(i));
+        snprintf(pair[1].name, sizeof pair[1].name, "%.20s-moving", cupola_table_name(i));
+        count += 2;
+    }
+    setting->off_axis = true;
+    return load_find(bench->options.loads[0], &bench->options.wishes, setting->size_px,
+                     &setting->load, bench->message) &&
+           compare(bench, setting, &(struct json_heading){.family = family_names[FAMILY_EYE]},
+                   contenders, count);
 }
 
 /* One comparison for each load. */
@@ -246,6 +268,8 @@ static bool run_family(struct bench *bench, enum family family)
     switch (family) {
     case FAMILY_WARP:
         return each_setting(bench, warp_one);
+    case FAMILY_EYE:
+        return each_setting(bench, eye_one);
     case FAMILY_FRAME:
         return each_setting(bench, frame_one);
     case FAMILY_PARTS:

@@ -7,15 +7,16 @@
 #include <string.h>
 
 const char *const family_names[FAMILIES] = {
-    [FAMILY_WARP] = "warp",   [FAMILY_FRAME] = "frame",         [FAMILY_PARTS] = "parts",
-    [FAMILY_LAMPS] = "lamps", [FAMILY_TRIANGLES] = "triangles", [FAMILY_VIEWS] = "views",
-    [FAMILY_SIZE] = "size"};
+    [FAMILY_WARP] = "warp",   [FAMILY_EYE] = "eye",     [FAMILY_FRAME] = "frame",
+    [FAMILY_PARTS] = "parts", [FAMILY_LAMPS] = "lamps", [FAMILY_TRIANGLES] = "triangles",
+    [FAMILY_VIEWS] = "views", [FAMILY_SIZE] = "size"};
 
 static const char help[] =
     "Usage: cupola-bench [OPTION...]\n"
     "Measures what a dome costs, as ratios within one run, and writes JSON.\n"
     "\n"
-    "  --family NAME,...   warp, frame, parts, lamps, triangles, views, size (all)\n"
+    "  --family NAME,...   warp, eye, frame, parts, lamps, triangles, views, size\n"
+    "                      (all)\n"
     "  --size N,...        sides of the output, px (1024)\n"
     "  --fov DEG,...       of the lens (140)\n"
     "  --lens NAME,...     angular, hemispheric (angular)\n"

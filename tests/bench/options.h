@@ -8,6 +8,7 @@ enum { LIST_MAX = 16 };
 
 enum family {
     FAMILY_WARP,
+    FAMILY_EYE,
     FAMILY_FRAME,
     FAMILY_PARTS,
     FAMILY_LAMPS,

@@ -21,12 +21,17 @@ DRAWN = ["cupola", "cupola-vertices", "cupola-3-views", "cupola-5-views", "contr
          "four-faces", "six-faces", "six-faces-mesh", "three-frusta"]
 TITLES = {
     "warp": "The warp alone, in blits",
+    "eye": "A viewer who moves, in blits",
     "frame": "Whole frames, in perspective views",
     "lamps": "Against lamps",
     "triangles": "Against triangles",
     "views": "Against the number of views",
     "size": "Against the output's size",
 }
+
+
+# Their views are drawn once, and only the warp is timed.
+WARPS = ("warp", "eye")
 
 
 def number(value, digits=2):
@@ -45,9 +50,16 @@ def heading(comparison):
     parts = [f"{comparison['size_px']} px", f"{comparison['lens']} {comparison['fov_deg']:.0f}°"]
     if comparison["off_axis"]:
         parts.append("off axis")
-    if comparison["family"] != "warp":
+    if comparison["family"] not in WARPS:
         parts.append(f"load {comparison['load']}, table {comparison['table']}")
     return ", ".join(parts)
+
+
+def moved(found):
+    """What a moved eye adds to the warp of each stage, in warps of that stage."""
+    added = [f"{name} {found[name + '-moving']['time_ms'][1] / rest['time_ms'][1] - 1:+.2f}"
+             for name, rest in found.items() if name + "-moving" in found]
+    return f" An eye that moved adds, in warps of the stage: {', '.join(added)}." if added else ""
 
 
 def in_short(comparison):
@@ -56,7 +68,7 @@ def in_short(comparison):
     run = (f" Medians of {comparison['frames']} frames, "
            f"load average {comparison['load_average']:.1f}.")
     if "perspective" not in found:
-        return f"A blit: {found['blit']['time_ms'][1]:.2f} ms.{run}"
+        return f"A blit: {found['blit']['time_ms'][1]:.2f} ms.{moved(found)}{run}"
     plain = found["perspective"]
     text = (f"The perspective view of {comparison['plain_fov_deg']:.0f}°: "
             f"{plain['time_ms'][1]:.2f} ms, {plain['ns_per_pixel']:.1f} ns per pixel.")
@@ -77,7 +89,7 @@ def row(comparison, contender):
         number(contender["time_ms"][1]),
         number(contender["ratio"]),
         spread(contender["round_ratio"]),
-        number(per_pixel if comparison["family"] != "warp" else None),
+        number(per_pixel if comparison["family"] not in WARPS else None),
         str(int(contender["views"])) if contender["views"] else "–",
         number(contender["texels_per_pixel"] or None),
         number(contender["masked_texels_per_pixel"]),

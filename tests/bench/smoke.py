@@ -10,7 +10,7 @@ import math
 import subprocess
 import sys
 
-RUN = ["--family", "warp,frame,views", "--load", "directions", "--size", "64", "--frames", "2",
+RUN = ["--family", "warp,eye,frame,views", "--load", "directions", "--size", "64", "--frames", "2",
        "--warm-up", "0"]
 NO_PICTURE = {"blit"}
 EXIT_SKIPPED = 77
@@ -45,7 +45,7 @@ print("renderer:", report["machine"]["renderer"])
 families = [comparison["family"] for comparison in report["comparisons"]]
 faults = [fault for comparison in report["comparisons"] for contender in comparison["contenders"]
           for fault in faults_of(comparison, contender)]
-if families != ["warp", "warp", "frame", "views"]:
+if families != ["warp", "warp", "eye", "frame", "views"]:
     faults.append(f"comparisons of {families}")
 print("\n".join(faults) or "every picture is right")
 sys.exit(1 if faults else 0)
