@@ -144,6 +144,52 @@ static void a_gl_has_a_plan_of_its_own(void **state)
     }
 }
 
+/* All that is shown without views: pictures on the screen and far away, and what lies over them. */
+static float *pictures_and_overlays(struct guest_house *shown, bool far)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    for (int i = 0; i < GUEST_PICTURES; i++) {
+        shown->pictures[i].place = far ? CUPOLA_PLACE_INFINITY : CUPOLA_PLACE_SCREEN;
+        check_ok(guest_warp(shown, i, &error), "warp", &error);
+    }
+    check_ok(guest_overlays(shown, &error), "overlays", &error);
+    return guest_picture(shown);
+}
+
+/* Whether the pictures follow or stay, an overlay lies in its direction from the eye. */
+static void pictures_and_overlays_follow(void **state)
+{
+    const struct cupola_gl_params params = {.overlays = true,
+                                            .sources = 1u << CUPOLA_SOURCE_DOMEMASTER |
+                                                       1u << CUPOLA_SOURCE_EQUIRECTANGULAR |
+                                                       1u << CUPOLA_SOURCE_CUBE};
+    (void)state;
+    for (int far = 0; far < 2; far++) {
+        struct guest_house rests;
+        struct cupola_error error = {CUPOLA_OK, ""};
+        guest_house_build(&rests);
+        struct cupola_rig rig = *cupola_dome_rig(rests.dome);
+        cupola_dome_destroy(&rests.dome);
+        cupola_plan_destroy(&rests.plan);
+        memcpy(rig.eye_m, other_eye_m, sizeof rig.eye_m);
+        assert_int_equal(cupola_dome_create(&rig, &rests.dome, NULL), CUPOLA_OK);
+        assert_int_equal(cupola_plan_create(rests.dome, NULL, &rests.plan, NULL), CUPOLA_OK);
+        check_ok(guest_gl_create(&rests, &params, &error), "create", &error);
+        make(&params);
+        float *before = pictures_and_overlays(&house, far);
+        move_to(other_eye_m);
+        float *moved = pictures_and_overlays(&house, far);
+        float *expected = pictures_and_overlays(&rests, far);
+        assert_false(differ(expected, moved));
+        assert_true(differ(before, moved)); /* the control */
+        free(expected);
+        free(moved);
+        free(before);
+        cupola_gl_destroy(&house.gl);
+        guest_house_release(&rests);
+    }
+}
+
 static void moving_makes_no_gl_call(void **state)
 {
     const struct cupola_gl_params params = {.table = CUPOLA_TABLE_TILES};
@@ -227,6 +273,7 @@ int main(void)
         cmocka_unit_test(an_eye_that_is_refused_changes_nothing),
         cmocka_unit_test(without_a_head_radius_the_eye_stays),
         cmocka_unit_test(a_gl_has_a_plan_of_its_own),
+        cmocka_unit_test(pictures_and_overlays_follow),
         cmocka_unit_test(moving_makes_no_gl_call),
         cmocka_unit_test(what_follows_heeds_no_state_and_keeps_it),
         cmocka_unit_test(tables_that_cannot_follow_are_refused),

@@ -9,18 +9,24 @@
 typedef void (*color_of)(const double direction[3], float rgba[4], void *user);
 
 /* A dome image of a world that is a function of the ray; freed by the caller. */
-static float *warp_of(const cupola_plan *plan, color_of color, void *user, const float border[4])
+static float *warp_output(const cupola_plan *plan, int index, color_of color, void *user,
+                          const float border[4])
 {
     const struct cupola_plan_report *report = cupola_plan_report(plan);
-    const struct cupola_output *output = &cupola_dome_rig(cupola_plan_dome(plan))->outputs[0];
+    const struct cupola_output *output = &cupola_dome_rig(cupola_plan_dome(plan))->outputs[index];
     size_t texels = (size_t)report->atlas_width_px * (size_t)report->atlas_height_px;
     float *atlas = malloc(4 * texels * sizeof *atlas);
     float *image = malloc(4 * sizeof *image * (size_t)output->width_px * (size_t)output->height_px);
     assert_true(atlas && image);
     assert_int_equal(cupola_reference_views(plan, color, user, atlas), CUPOLA_OK);
-    assert_int_equal(cupola_reference_warp(plan, 0, atlas, border, image), CUPOLA_OK);
+    assert_int_equal(cupola_reference_warp(plan, index, atlas, border, image), CUPOLA_OK);
     free(atlas);
     return image;
+}
+
+static float *warp_of(const cupola_plan *plan, color_of color, void *user, const float border[4])
+{
+    return warp_output(plan, 0, color, user, border);
 }
 
 static void color_direction(const double direction[3], float rgba[4], void *user)
@@ -32,16 +38,16 @@ static void color_direction(const double direction[3], float rgba[4], void *user
 }
 
 /* Largest angle between the colour of a pixel and its ray by the oracle of another rig. */
-static double direction_error(const cupola_plan *plan, const float *image,
-                              const struct cupola_rig *oracle_rig)
+static double output_error(const cupola_plan *plan, int index, const float *image,
+                           const struct cupola_rig *oracle_rig)
 {
     const cupola_dome *dome = cupola_plan_dome(plan);
-    const struct cupola_output *output = &cupola_dome_rig(dome)->outputs[0];
+    const struct cupola_output *output = &cupola_dome_rig(dome)->outputs[index];
     double worst = 0.0;
     for (int j = 0; j < output->height_px; j++) {
         for (int i = 0; i < output->width_px; i++) {
             struct cupola_ray ray;
-            if (cupola_dome_ray(dome, 0, NULL, i + 0.5, j + 0.5, &ray) != 1)
+            if (cupola_dome_ray(dome, index, NULL, i + 0.5, j + 0.5, &ray) != 1)
                 continue;
             if ((i + j) % 3 && ray.coverage >= 1.0)
                 continue; /* the oracle is slow: one in three, and all of the rim */
@@ -57,6 +63,12 @@ static double direction_error(const cupola_plan *plan, const float *image,
         }
     }
     return worst;
+}
+
+static double direction_error(const cupola_plan *plan, const float *image,
+                              const struct cupola_rig *oracle_rig)
+{
+    return output_error(plan, 0, image, oracle_rig);
 }
 
 /*
@@ -95,6 +107,45 @@ static void a_rig_wrong_by_a_tenth_of_a_degree_or_a_pixel_is_caught(void **state
     wrong.outputs[0].circle.center_y_px += 1.0;
     check_at_least(direction_error(plan, image, &wrong), radians(0.05));
     free(image);
+    cupola_plan_destroy(&plan);
+}
+
+/* The oracle knows the first output of a rig. */
+static void check_outputs(const cupola_plan *plan, const struct cupola_rig *rig, bool moved)
+{
+    for (int output = 0; output < 2; output++) {
+        struct cupola_rig oracle = *rig;
+        oracle.outputs[0] = rig->outputs[output];
+        float *image = warp_output(plan, output, color_direction, NULL, NULL);
+        double error = output_error(plan, output, image, &oracle);
+        if (moved)
+            check_at_most(error, radians(0.01));
+        else
+            check_at_least(error, radians(0.1));
+        free(image);
+    }
+}
+
+static void a_plan_that_was_moved_shows_the_rays_of_the_moved_eye(void **state)
+{
+    (void)state;
+    uint64_t seed = 104;
+    struct cupola_rig rig = plain_rig(CUPOLA_LENS_EQUISOLID, 150.0, 90);
+    double radius_m = rig.screen.radius_m = 3.0;
+    rig.tilt_rad = 0.5;
+    rig.output_count = 2;
+    rig.outputs[1] = rig.outputs[0];
+    rig.outputs[1].aim.yaw_rad = 0.6;
+    rig.outputs[1].position_m[0] = 0.2 * radius_m;
+    const struct cupola_plan_params params = {.density = 1.5, .head_radius_m = 0.2 * radius_m};
+    cupola_plan *plan = plan_of(&rig, &params);
+    rig = *cupola_dome_rig(cupola_plan_dome(plan)); /* complete */
+    for (int i = 0; i < 3; i++) {
+        random_in_ball(&seed, params.head_radius_m, rig.eye_m);
+        check_outputs(plan, &rig, false); /* the control: the eye before */
+        assert_int_equal(cupola_plan_set_eye(plan, rig.eye_m, NULL), CUPOLA_OK);
+        check_outputs(plan, &rig, true);
+    }
     cupola_plan_destroy(&plan);
 }
 
@@ -277,6 +328,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_color_of_a_direction_is_the_direction_of_the_ray),
         cmocka_unit_test(a_rig_wrong_by_a_tenth_of_a_degree_or_a_pixel_is_caught),
+        cmocka_unit_test(a_plan_that_was_moved_shows_the_rays_of_the_moved_eye),
         cmocka_unit_test(the_eye_may_move_the_world_on_the_screen_may_not),
         cmocka_unit_test(the_rim_mixes_picture_and_border_by_coverage),
         cmocka_unit_test(every_texel_of_a_view_is_drawn_once_and_no_other),
