@@ -51,10 +51,10 @@ static bool field_create(struct field *field, struct result *results, char *mess
 static double frame_ms(struct field *field, int index, bool views)
 {
     const struct contender_kind *kind = field->contenders[index].kind;
-    bool drawn = true;
+    bool drawn = !kind->before || kind->before(field->ready[index]);
 
     stopwatch_start(&field->watch);
-    if (views && kind->views)
+    if (drawn && views && kind->views)
         drawn = kind->views(field->ready[index]);
     if (drawn && kind->warp)
         drawn = kind->warp(field->ready[index]);

@@ -22,8 +22,9 @@ struct contender_facts {
 struct contender_kind {
     /* NULL with one line in `message` where it cannot serve the setting. */
     void *(*prepare)(const struct setting *setting, int variant, char *message);
-    bool (*views)(void *self); /* NULL: it has none */
-    bool (*warp)(void *self);  /* NULL: its view is the picture */
+    bool (*before)(void *self); /* what comes before a frame and is not timed; NULL: nothing */
+    bool (*views)(void *self);  /* NULL: it has none */
+    bool (*warp)(void *self);   /* NULL: its view is the picture */
     void (*facts)(const void *self, struct contender_facts *facts);
     void (*release)(void *self);
 };
@@ -46,8 +47,12 @@ enum cupola_variant { CUPOLA_CHOICE = 0, CUPOLA_SAVES_VERTICES = -1, CUPOLA_UNMA
 extern const struct contender_kind contender_cupola;
 /* Cupola's own choice with the table stage that the variant is. */
 extern const struct contender_kind contender_stage;
-/* The same planned for a viewer who moves; at rest, and with another eye before every warp. */
+/*
+ * The same planned for a viewer who moves: at rest, having moved, and with another eye before every
+ * warp, where what follows from it is timed, too.
+ */
 extern const struct contender_kind contender_resting;
+extern const struct contender_kind contender_moved;
 extern const struct contender_kind contender_moving;
 /* The views of Cupola's own choice, and a warp that computes nothing. */
 extern const struct contender_kind contender_control;

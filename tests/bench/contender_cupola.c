@@ -220,6 +220,12 @@ const struct contender_kind contender_resting = {.prepare = head_prepare,
                                                  .warp = frames_warp,
                                                  .facts = frames_facts,
                                                  .release = frames_release};
+const struct contender_kind contender_moved = {.prepare = head_prepare,
+                                               .before = moving_warp,
+                                               .views = frames_views,
+                                               .warp = frames_warp,
+                                               .facts = frames_facts,
+                                               .release = frames_release};
 const struct contender_kind contender_moving = {.prepare = head_prepare,
                                                 .views = frames_views,
                                                 .warp = moving_warp,

@@ -110,6 +110,7 @@ static void put_result(FILE *file, const struct setting *setting, const struct c
         put_number(file, "bytes_per_output_byte", result->facts.bytes / output_bytes);
         put_number(file, "psnr_db", result->psnr_db > 0 ? result->psnr_db : (double)NAN);
         put_text(file, "note", result->facts.note);
+        fprintf(file, "\"shows_dome\": %s, ", result->facts.shows == SHOWS_DOME ? "true" : "false");
     }
     fprintf(file, "\"took_part\": %s}", result->skipped[0] ? "false" : "true");
 }

@@ -15,15 +15,14 @@ static const char help[] =
     "Usage: cupola-bench [OPTION...]\n"
     "Measures what a dome costs, as ratios within one run, and writes JSON.\n"
     "\n"
-    "  --family NAME,...   warp, eye, frame, parts, lamps, triangles, views, size\n"
-    "                      (all)\n"
+    "  --family NAME,...   warp, eye, frame, parts, lamps, triangles, views, size (all)\n"
     "  --size N,...        sides of the output, px (1024)\n"
     "  --fov DEG,...       of the lens (140)\n"
     "  --lens NAME,...     angular, hemispheric (angular)\n"
     "  --load NAME,...     light, lambert, heavy[:LAMPS], forest[:TRIANGLES], directions, or\n"
     "                      ns:COST: the lamps that make a pixel cost so many ns (light,heavy)\n"
     "  --contenders N,...  by the names in the results, besides the first (all)\n"
-    "  --table NAME        the warp's table in whole frames (Cupola's default)\n"
+    "  --table NAME        the warp's table in whole frames (auto, or tiles)\n"
     "  --frames N          rounds that count (200)\n"
     "  --warm-up N         frames before them (5)\n"
     "  --clock NAME        auto: gpu, and wall for software rasterisers; or processor, for busy\n"
@@ -173,6 +172,11 @@ static void set_defaults(struct options *options)
         any |= options->families[i];
     for (int i = 0; i < FAMILIES; i++)
         options->families[i] |= !any;
+    /* What a host asks for that wants speed. */
+    if (options->table < 0)
+        options->table = cupola_table_find("auto");
+    if (options->table < 0)
+        options->table = CUPOLA_TABLE_TILES;
     if (options->size_count == 0)
         options->sizes_px[options->size_count++] = 1024;
     if (options->fov_count == 0)
@@ -189,7 +193,7 @@ bool options_read(struct options *options, int argc, char **argv, int *status)
 {
     int option, index = 0;
 
-    *options = (struct options){.wishes = {.frames = 200, .warm_up = 5}};
+    *options = (struct options){.table = -1, .wishes = {.frames = 200, .warm_up = 5}};
     *status = 2;
     while ((option = getopt_long(argc, argv, "", long_options, &index)) != -1) {
         if (option == OPTION_HELP) {

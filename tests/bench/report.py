@@ -10,6 +10,8 @@ import shutil
 import subprocess
 import sys
 
+from bars import bar_lines, blits_beyond, by_name, median_ms
+
 # What is drawn of each family that varies one thing: its axis, and whether that is logarithmic.
 AXES = {
     "lamps": ("lamps", True),
@@ -23,6 +25,7 @@ TITLES = {
     "warp": "The warp alone, in blits",
     "eye": "A viewer who moves, in blits",
     "frame": "Whole frames, in perspective views",
+    "parts": "Where a frame's time goes",
     "lamps": "Against lamps",
     "triangles": "Against triangles",
     "views": "Against the number of views",
@@ -42,10 +45,6 @@ def spread(quartiles):
     return f"{quartiles[0]:.2f} to {quartiles[2]:.2f}"
 
 
-def by_name(comparison):
-    return {one["name"]: one for one in comparison["contenders"] if one["took_part"]}
-
-
 def heading(comparison):
     parts = [f"{comparison['size_px']} px", f"{comparison['lens']} {comparison['fov_deg']:.0f}°"]
     if comparison["off_axis"]:
@@ -63,7 +62,7 @@ def moved(found):
 
 
 def in_short(comparison):
-    """What the plain view costs, and the dome's frame as plain views and blits."""
+    """What the unit costs."""
     found = by_name(comparison)
     run = (f" Medians of {comparison['frames']} frames, "
            f"load average {comparison['load_average']:.1f}.")
@@ -72,17 +71,14 @@ def in_short(comparison):
     plain = found["perspective"]
     text = (f"The perspective view of {comparison['plain_fov_deg']:.0f}°: "
             f"{plain['time_ms'][1]:.2f} ms, {plain['ns_per_pixel']:.1f} ns per pixel.")
-    if "cupola" in found and "blit" in found:
-        rest = found["cupola"]["time_ms"][1] - 1.08 * plain["time_ms"][1]
-        blits = rest / found["blit"]["time_ms"][1]
-        text += f" Cupola's frame: 1.08 perspective views {'+-'[blits < 0]} {abs(blits):.1f} blits."
     return text + run
 
 
 def row(comparison, contender):
     if not contender["took_part"]:
-        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 8
+        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 9
     plain = comparison["contenders"][0]
+    whole = contender["shows_dome"] and comparison["family"] not in WARPS + ("parts",)
     per_pixel = contender["ns_per_pixel"] / plain["ns_per_pixel"]
     cells = [
         contender["name"],
@@ -90,6 +86,7 @@ def row(comparison, contender):
         number(contender["ratio"]),
         spread(contender["round_ratio"]),
         number(per_pixel if comparison["family"] not in WARPS else None),
+        number(blits_beyond(comparison, contender["name"]) if whole else None, 1),
         str(int(contender["views"])) if contender["views"] else "–",
         number(contender["texels_per_pixel"] or None),
         number(contender["masked_texels_per_pixel"]),
@@ -103,12 +100,44 @@ def table(comparison):
     unit = comparison["contenders"][0]["name"]
     lines = [
         f"### {heading(comparison)}", "", in_short(comparison), "",
-        f"| contender | ms | / {unit} | quartiles by round | the same per pixel | views | "
-        "texels per pixel | of them needed | memory / output | PSNR, dB |",
-        "|---|---|---|---|---|---|---|---|---|---|",
+        f"| contender | ms | / {unit} | quartiles by round | the same per pixel | blits beyond 1.08 | "
+        "views | texels per pixel | of them needed | memory / output | PSNR, dB |",
+        "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     lines += [row(comparison, contender) for contender in comparison["contenders"]]
-    return lines + [""]
+    return lines + [""] + model(comparison)
+
+
+def model_row(comparison, name, price_ns):
+    """A frame as the sum of its parts, if a texel cost what a pixel of the plain view does."""
+    key = "texels_per_pixel" if "unmasked" in name else "masked_texels_per_pixel"
+    texels = by_name(comparison)[name][key] * comparison["lit_pixels"]
+    shading = 1e-6 * price_ns * texels
+    clear, views = median_ms(comparison, f"{name}-clear"), median_ms(comparison, f"{name}-views")
+    warp, whole = median_ms(comparison, "cupola-warp"), median_ms(comparison, name)
+    unit, total = median_ms(comparison, "perspective"), shading + clear + warp
+    cells = [shading, clear, warp, total, whole, total / unit, whole / unit,
+             (views - clear) / shading]
+    return "| " + " | ".join([name] + [number(cell) for cell in cells]) + " |"
+
+
+def model(comparison):
+    """What a frame should cost by its texels, beside what it does."""
+    if comparison["family"] != "parts":
+        return []
+    plain, clear = (median_ms(comparison, name) for name in ("perspective", "perspective-clear"))
+    names = [name for name in ("cupola", "cupola-unmasked")
+             if None not in [median_ms(comparison, one) for one in
+                             (name, f"{name}-clear", f"{name}-views", "cupola-warp")]]
+    if plain is None or clear is None or not names:
+        return []
+    price_ns = 1e6 * (plain - clear) / comparison["size_px"] ** 2
+    return [f"Without its clear, a pixel of the perspective view costs {price_ns:.1f} ns. The frame "
+            "if a shaded texel cost the same:", "",
+            "| contender | texels, ms | clear and mask, ms | warp, ms | sum, ms | measured, ms "
+            "| sum / perspective | measured / perspective | a texel's price / a pixel's |",
+            "|---|---|---|---|---|---|---|---|---|",
+            *[model_row(comparison, name, price_ns) for name in names], ""]
 
 
 def points(family, comparisons):
@@ -173,7 +202,7 @@ def machine_lines(machine):
 def main(folder, *paths):
     report = read_parts(paths)
     os.makedirs(folder, exist_ok=True)
-    lines = machine_lines(report["machine"])
+    lines = machine_lines(report["machine"]) + bar_lines(report["comparisons"])
     for family, title in TITLES.items():
         comparisons = [one for one in report["comparisons"] if one["family"] == family]
         if not comparisons:
