@@ -126,6 +126,15 @@ static void expect_tiles(struct snapshot *expected)
     expect(expected, GL_VIEWPORT, 3, pass->tiles.tiles.height_px);
 }
 
+/* The last buffer of tiles that was filled anew. */
+static void expect_moved(struct snapshot *expected)
+{
+    const struct tile_pass *tiles = &house.gl->passes[0].tiles;
+    for (int kind = TILE_PURE; kind <= TILE_CHOOSING; kind++)
+        if (tiles->buffers[kind])
+            expect(expected, GL_ARRAY_BUFFER_BINDING, 0, tiles->buffers[kind]);
+}
+
 static void expect_warp(struct snapshot *expected, int picture)
 {
     const struct warp_pass *pass = &house.gl->passes[0];
@@ -264,6 +273,7 @@ static void check_draws(int which)
     struct snapshot expected, now;
     for (int i = -1; i <= GUEST_PICTURES; i++) {
         bool overlays = i == GUEST_PICTURES;
+        check_ok(guest_move(&house, &error), "set_eye", &error);
         be_hostile(which);
         snapshot_take(&expected);
         check_ok(overlays ? guest_overlays(&house, &error) : guest_warp(&house, i, &error),
@@ -274,6 +284,8 @@ static void check_draws(int which)
             expect_overlays(&expected, &now);
         else
             expect_warp(&expected, i);
+        if (house.moving && i < 0)
+            expect_moved(&expected);
         check_row(&expected, &now, overlays ? "overlay" : "warp");
         state_reset();
     }
@@ -320,10 +332,30 @@ static void what_is_left_is_what_the_contract_says(void **state)
             }
 }
 
+static void what_a_warp_for_a_moved_eye_leaves_is_that_too(void **state)
+{
+    static const enum cupola_table stages[] = {CUPOLA_TABLE_POINTS, CUPOLA_TABLE_SINES,
+                                               CUPOLA_TABLE_TILES};
+    (void)state;
+    guest_house_release(&house);
+    guest_house_build_moving(&house);
+    state_reset();
+    for (int i = 0; i < 3; i++)
+        for (int which = -1; which <= HOSTILITIES; which += HOSTILITIES + 1) {
+            const struct cupola_gl_params params = {.leaves_state = true,
+                                                    .table = guest_moving_table(stages[i])};
+            struct cupola_error error = {CUPOLA_OK, ""};
+            check_ok(guest_gl_create(&house, &params, &error), "create", &error);
+            check_draws(which);
+            cupola_gl_destroy(&house.gl);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_left_is_what_the_contract_says),
+        cmocka_unit_test(what_a_warp_for_a_moved_eye_leaves_is_that_too),
     };
     return cmocka_run_group_tests_name("state_rows", tests, open_house, close_house);
 }

@@ -232,10 +232,10 @@ CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
  * before its first view. The plan that gl was made from does not move: a host that draws into
  * textures of its own moves that one, too, for its cameras (cupola_plan_set_eye).
  *
- * Asks and changes nothing of the GL, allocates nothing, and an eye that is where it was costs
- * nothing. What an output has of the eye follows in its next warp, in a fraction of a millisecond
- * for the table stages points and none. Tables of angles, sines and coordinates are drawn once
- * more; their plan lets no eye move where OpenGL ES cannot draw into floats (cupola_gl_create).
+ * Makes no GL call and allocates nothing; an eye that is where it was costs nothing. What an output
+ * has of the eye follows in its next warp: uniforms, tiles, or the table of angles, sines or
+ * coordinates, which is drawn once more. (Where the GL cannot draw into floats, cupola_gl_create
+ * refuses those three for a plan whose eye may move.)
  *
  * eye_m    dome frame, at most head_radius_m from the eye of the rig that was planned for
  * error    may be NULL
