@@ -1,0 +1,195 @@
+/*
+ * The mask of the views: whatever a pixel's filter may touch is left free, guard band included, and
+ * little more is.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/mask.h"
+#include "rig_random.h"
+
+enum { RIGS = 60, EYES = 3, PLACES = 5 };
+
+static struct cupola_rig rig_number(int number)
+{
+    uint64_t seed = 9301 + (uint64_t)number;
+    struct cupola_rig rig = random_rig(&seed, number % 2 ? 0.5 : 0.0);
+    enum cupola_lens_model model = (enum cupola_lens_model)(number % 6);
+    double fov_deg =
+        model == CUPOLA_LENS_HEMISPHERIC ? 178.0 : (double[]){140, 180, 220}[number % 3];
+    rig.output_count = number % 5 == 4 ? 2 : 1;
+    for (int i = 0; i < rig.output_count; i++) {
+        rig.outputs[i].lens = random_lens(&seed, model, radians(fov_deg));
+        rig.outputs[i].width_px = 203;
+        rig.outputs[i].height_px = 157;
+        rig.outputs[i].circle = (struct cupola_circle){100.0, 80.0, number % 3 ? 77.0 : 120.0};
+    }
+    rig.screen.cap_rad = number % 4 == 3 ? radians(70.0) : 0.0;
+    return rig;
+}
+
+static cupola_plan *plan_of_rig(const struct cupola_rig *rig,
+                                const struct cupola_plan_params *params)
+{
+    cupola_dome *dome = NULL;
+    cupola_plan *plan = NULL;
+    struct cupola_error error = {CUPOLA_OK, ""};
+    if (cupola_dome_create(rig, &dome, &error) < 0 ||
+        cupola_plan_create(dome, params, &plan, &error) < 0)
+        fail_msg("%s", error.message);
+    cupola_dome_destroy(&dome);
+    return plan;
+}
+
+/* ---- the shapes by an own rasteriser ---- */
+
+/* Whether a place is in a triangle or on its edge. */
+static bool in_triangle(const struct mask_vertex *v, double x, double y)
+{
+    int sides[2] = {0, 0};
+    for (int i = 0; i < 3; i++) {
+        const struct mask_vertex *a = &v[i], *b = &v[(i + 1) % 3];
+        double cross = ((double)b->x - (double)a->x) * (y - (double)a->y) -
+                       ((double)b->y - (double)a->y) * (x - (double)a->x);
+        sides[0] += cross > 0;
+        sides[1] += cross < 0;
+    }
+    return sides[0] == 0 || sides[1] == 0;
+}
+
+static double edge(const struct mask_vertex *v, int axis, bool most)
+{
+    double found = axis ? (double)v[0].y : (double)v[0].x;
+    for (int i = 1; i < 3; i++) {
+        double at = axis ? (double)v[i].y : (double)v[i].x;
+        found = most ? fmax(found, at) : fmin(found, at);
+    }
+    return found;
+}
+
+/* How many of PLACES x PLACES places in each texel of a view the shapes cover. */
+static unsigned char *covered(const struct mask *mask, int view)
+{
+    const struct mask_texels *texels = &mask->texels[view];
+    int width = texels->width, height = texels->height;
+    unsigned char *found = calloc((size_t)width * (size_t)height, 1);
+    assert_non_null(found);
+    for (int i = 0; i < mask->count[view]; i += 3) {
+        const struct mask_vertex *v = &mask->vertices[mask->first[view] + i];
+        int left = (int)fmax(edge(v, 0, false), 0), right = (int)fmin(edge(v, 0, true), width - 1);
+        int bottom = (int)fmax(edge(v, 1, false), 0), top = (int)fmin(edge(v, 1, true), height - 1);
+        for (int y = bottom; y <= top; y++)
+            for (int x = left; x <= right; x++)
+                for (int k = 0; k < PLACES * PLACES; k++)
+                    found[y * width + x] +=
+                        in_triangle(v, x + 0.001 + 0.998 * (k % PLACES) / (PLACES - 1),
+                                    y + 0.001 + 0.998 * (k / PLACES) / (PLACES - 1));
+    }
+    return found;
+}
+
+/* ---- what pixels need ---- */
+
+struct findings {
+    long pixels, needed, marked, left, all;
+    int missing; /* texels that are needed and not marked */
+    int covered; /* or are not left free */
+};
+
+/* All texels whose middles are within `reach` of a place. */
+static void need_round(const struct mask_texels *texels, const double texel[2], double reach,
+                       unsigned char *needed)
+{
+    int bottom = (int)ceil(texel[1] - reach - 0.5), top = (int)floor(texel[1] + reach - 0.5);
+    int left = (int)ceil(texel[0] - reach - 0.5), right = (int)floor(texel[0] + reach - 0.5);
+    for (int y = bottom < 0 ? 0 : bottom; y <= top && y < texels->height; y++)
+        for (int x = left < 0 ? 0 : left; x <= right && x < texels->width; x++)
+            needed[y * texels->width + x] = 1;
+}
+
+static void need_pixels(const cupola_plan *plan, const struct mask *mask, double reach,
+                        unsigned char *needed[CUPOLA_VIEWS_MAX], struct findings *findings)
+{
+    const cupola_dome *dome = cupola_plan_dome(plan);
+    const struct cupola_rig *rig = cupola_dome_rig(dome);
+    for (int o = 0; o < rig->output_count; o++)
+        for (int i = 0; i < rig->outputs[o].width_px * rig->outputs[o].height_px; i++) {
+            struct cupola_ray ray;
+            double texel[2];
+            int width = rig->outputs[o].width_px;
+            if (cupola_dome_ray(dome, o, NULL, i % width + 0.5, i / width + 0.5, &ray) != 1)
+                continue;
+            findings->pixels++;
+            int view = cupola_plan_select(plan, ray.direction);
+            const struct cupola_rect *rect = &cupola_plan_view(plan, view)->rect;
+            assert_int_equal(cupola_plan_texel(plan, view, ray.direction, texel), 1);
+            texel[0] -= rect->x;
+            texel[1] -= rect->y;
+            need_round(&mask->texels[view], texel, reach, needed[view]);
+        }
+}
+
+static void judge(const cupola_plan *plan, const struct mask *mask, double reach,
+                  struct findings *findings)
+{
+    unsigned char *needed[CUPOLA_VIEWS_MAX] = {NULL};
+    for (int v = 0; v < cupola_plan_view_count(plan); v++) {
+        needed[v] = calloc((size_t)mask->texels[v].width * (size_t)mask->texels[v].height, 1);
+        assert_non_null(needed[v]);
+    }
+    need_pixels(plan, mask, reach, needed, findings);
+    for (int v = 0; v < cupola_plan_view_count(plan); v++) {
+        const struct mask_texels *texels = &mask->texels[v];
+        unsigned char *shapes = covered(mask, v);
+        for (int i = 0; i < texels->width * texels->height; i++) {
+            bool marked = mask_needs(texels, i % texels->width, i / texels->width);
+            findings->all++;
+            findings->needed += needed[v][i];
+            findings->marked += marked;
+            findings->left += shapes[i] < PLACES * PLACES;
+            findings->missing += needed[v][i] && !marked;
+            findings->covered += (needed[v][i] || marked) && shapes[i] > 0;
+        }
+        free(shapes);
+        free(needed[v]);
+    }
+}
+
+static void masks_leave_free_what_any_pixel_needs(void **state)
+{
+    (void)state;
+    struct findings sum = {0};
+    for (int number = 0; number < RIGS; number++) {
+        struct cupola_rig rig = rig_number(number);
+        struct cupola_plan_params params = {.layout = CUPOLA_LAYOUT_ROTATED,
+                                            .guard_px = 1 + number % 4,
+                                            .density = number % 7 == 6 ? 2.5 : 0};
+        struct cupola_error error;
+        struct findings findings = {0};
+        struct mask mask;
+        cupola_plan *plan = plan_of_rig(&rig, &params);
+        assert_int_equal(mask_create(plan, &mask, &error), CUPOLA_OK);
+        judge(plan, &mask, params.guard_px, &findings);
+        if (findings.missing || findings.covered)
+            printf("rig %d: %d missing, %d covered of %ld\n", number, findings.missing,
+                   findings.covered, findings.needed);
+        printf("rig %d: all %ld needed %ld marked %ld left %ld, %d vertices %d squares\n", number,
+               findings.all, findings.needed, findings.marked, findings.left, mask.vertex_count,
+               mask.square_count);
+        sum.missing += findings.missing;
+        sum.covered += findings.covered;
+        mask_destroy(&mask);
+        cupola_plan_destroy(&plan);
+    }
+    assert_int_equal(sum.missing, 0);
+    assert_int_equal(sum.covered, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(masks_leave_free_what_any_pixel_needs),
+    };
+    return cmocka_run_group_tests_name("mask", tests, NULL, NULL);
+}
