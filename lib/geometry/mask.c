@@ -194,6 +194,8 @@ static bool create_texels(const cupola_plan *plan, struct mask *mask)
 {
     for (int v = 0; v < plan->view_count; v++) {
         struct mask_texels *texels = &mask->texels[v];
+        texels->x = plan->views[v].rect.x;
+        texels->y = plan->views[v].rect.y;
         texels->width = plan->views[v].rect.width;
         texels->height = plan->views[v].rect.height;
         texels->words = texels->width / 64 + 1;

@@ -28,14 +28,15 @@ struct mask_square {
     float margin; /* by which its box in a view is widened, as a part of the box */
 };
 
-/* A corner of a triangle, in texels from the lower left corner of a view's rectangle. */
+/* A corner of a triangle, in texels of the atlas. */
 struct mask_vertex {
     float x, y;
 };
 
-/* The needed texels of one view: a bit for each, rows from the bottom. */
+/* The needed texels of one view, from its rectangle's corner: a bit for each, rows from the bottom. */
 struct mask_texels {
-    int width, height, words; /* 64-bit words of a row */
+    int x, y, width, height;
+    int words; /* 64-bit words of a row */
     uint64_t *bits;
     /* Beyond the straight lines by which other views take over nothing is needed: a x + b y + c at
      * least 0, in texels. */

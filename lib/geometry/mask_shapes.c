@@ -41,7 +41,7 @@ struct run {
 
 struct shaping {
     struct mask *mask;
-    int width; /* of the view */
+    const struct mask_texels *texels;
     int open_count, next_count;
     struct shape open[RUNS_MAX]; /* that may go on in this row, from left to right */
     struct shape next[RUNS_MAX]; /* that may go on in the next one */
@@ -113,7 +113,7 @@ static bool grow(struct mask *mask)
     int most = 2 * mask->vertex_most + 1200;
     void *more =
         mask->growing ? realloc(mask->vertices, (size_t)most * sizeof *mask->vertices) : NULL;
-    mask->failed = mask->growing && !more;
+    mask->failed |= mask->growing && !more;
     if (!more)
         return false;
     mask->vertices = more;
@@ -121,9 +121,12 @@ static bool grow(struct mask *mask)
     return true;
 }
 
-static void add_corner(struct mask *mask, float x, float y)
+static void add_corner(const struct shaping *shaping, float x, float y)
 {
-    mask->vertices[mask->vertex_count++] = (struct mask_vertex){x, y};
+    struct mask *mask = shaping->mask;
+    const struct mask_texels *texels = shaping->texels;
+    mask->vertices[mask->vertex_count++] =
+        (struct mask_vertex){(float)texels->x + x, (float)texels->y + y};
 }
 
 /* The shape as it is before a row; where its sides cross it ends. */
@@ -150,12 +153,12 @@ static void shape_end(struct shaping *shaping, struct shape *shape, int row)
         return;
     if (mask->vertex_count + SHAPE_VERTICES > mask->vertex_most && !grow(mask))
         return;
-    add_corner(mask, left[0], bottom);
-    add_corner(mask, right[0], bottom);
-    add_corner(mask, right[1], top);
-    add_corner(mask, left[0], bottom);
-    add_corner(mask, right[1], top);
-    add_corner(mask, left[1], top);
+    add_corner(shaping, left[0], bottom);
+    add_corner(shaping, right[0], bottom);
+    add_corner(shaping, right[1], top);
+    add_corner(shaping, left[0], bottom);
+    add_corner(shaping, right[1], top);
+    add_corner(shaping, left[1], top);
 }
 
 static struct shape shape_begin(const struct shaping *shaping, struct run run, int row)
@@ -164,7 +167,8 @@ static struct shape shape_begin(const struct shaping *shaping, struct run run, i
     bool middles = shaping->mask->middles;
     struct shape shape = {.from = row,
                           .left = side_begin(middles, run.left, 0, 1, center),
-                          .right = side_begin(middles, run.right, shaping->width, -1, center)};
+                          .right =
+                              side_begin(middles, run.right, shaping->texels->width, -1, center)};
     return shape;
 }
 
@@ -245,7 +249,7 @@ static void trim_row(const struct mask_texels *texels, uint64_t *row, int y)
 void mask_shapes_add(struct mask *mask, int view)
 {
     struct mask_texels *texels = &mask->texels[view];
-    struct shaping shaping = {.mask = mask, .width = texels->width};
+    struct shaping shaping = {.mask = mask, .texels = texels};
     mask->first[view] = mask->vertex_count;
     for (int y = 0; y < texels->height; y++) {
         uint64_t *row = texels->bits + (size_t)y * (size_t)texels->words;

@@ -272,6 +272,7 @@ int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params 
     made->dome = *dome;
     made->rotation_in_projection = complete.rotation_in_projection;
     made->guard_px = complete.guard_px;
+    made->unmasked = complete.unmasked;
     status = planning_begin(dome, &complete, &planning, error);
     if (status == CUPOLA_OK)
         status = finish(&planning, made, error);

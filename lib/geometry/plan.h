@@ -57,6 +57,7 @@ struct cupola_plan {
     cupola_dome dome;
     int view_count;
     bool rotation_in_projection;
+    bool unmasked; /* planned for whole rectangles */
     int guard_px;
     double head_radius_m;
     double planned_eye_m[3]; /* the middle of the sphere that it was planned for */

@@ -23,6 +23,9 @@ void host_features_find(struct host_features *features)
     features->viewport_array = has_either(
         features, (struct origin){41, "GL_ARB_viewport_array", NEVER, "GL_OES_viewport_array"},
         "GL_NV_viewport_array");
+    features->viewport_array_nv = features->es &&
+                                  !epoxy_has_gl_extension("GL_OES_viewport_array") &&
+                                  epoxy_has_gl_extension("GL_NV_viewport_array");
     features->clip_control = host_has(
         features, (struct origin){45, "GL_ARB_clip_control", NEVER, "GL_EXT_clip_control"});
     features->blend_per_buffer = has_either(features, blending, "GL_EXT_draw_buffers_indexed");

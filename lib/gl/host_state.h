@@ -35,6 +35,7 @@ enum host_reset {
 struct host_features {
     bool es;                 /* OpenGL ES, not desktop OpenGL */
     bool viewport_array;     /* several viewports and scissor rectangles */
+    bool viewport_array_nv;  /* by the functions of that name */
     bool clip_control;       /* origin and depth range of clip space */
     bool mask_per_buffer;    /* colour mask and blending on or off for each draw buffer */
     bool blend_per_buffer;   /* blend functions for each draw buffer */

@@ -53,6 +53,8 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "table stage is coordinates, which are those of the atlas; allowed for "
                          "the host's textures: points, none, angles, sines, tiles");
+    if ((status = mask_check_params(params, error)) != CUPOLA_OK)
+        return status;
     if (params->encoding < CUPOLA_ENCODING_LINEAR || params->encoding > CUPOLA_ENCODING_SRGB)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "encoding is %d; allowed: %d to %d",
                          (int)params->encoding, CUPOLA_ENCODING_LINEAR, CUPOLA_ENCODING_SRGB);
@@ -79,6 +81,7 @@ static void destroy_objects(cupola_gl *gl)
         warp_pass_destroy(&gl->passes[i]);
     views_destroy(gl);
     one_pass_destroy(gl);
+    mask_pass_destroy(&gl->mask);
     glDeleteSamplers(1, &gl->sampler);
     glDeleteSamplers(1, &gl->image_sampler);
     glDeleteSamplers(1, &gl->gain_sampler);
@@ -108,6 +111,8 @@ static int create_objects(cupola_gl *gl, struct cupola_error *error)
                                                             : view_images_create(gl, error);
     if (status == CUPOLA_OK && gl->params.one_pass)
         status = one_pass_create(gl, error);
+    if (status == CUPOLA_OK)
+        status = mask_pass_create(gl, error);
     if (status == CUPOLA_OK)
         status = create_sampler(gl, error);
     for (int i = 0; status == CUPOLA_OK && i < gl->plan.dome.rig.output_count; i++)
@@ -164,6 +169,7 @@ static int create(const cupola_plan *plan, const struct cupola_gl_params *params
     status = make_objects(made, error);
     if (status != CUPOLA_OK) {
         plan_release(&made->plan);
+        mask_pass_forget(&made->mask);
         free(made);
         return status;
     }
@@ -203,6 +209,7 @@ void cupola_gl_destroy(cupola_gl **gl)
     guest_tell(&gone->guest, CUPOLA_LOG_INFO, CUPOLA_LOG_DESTROYED, "a cupola_gl was destroyed%s",
                gone->guest.lost ? "; its GL objects went with the lost context" : "");
     plan_release(&gone->plan);
+    mask_pass_forget(&gone->mask);
     free(gone);
     *gl = NULL;
 }

@@ -3,6 +3,7 @@
  *
  *   instance  what there is, made and given back
  *   views     the atlas and the framebuffers that the host draws into
+ *   mask      of texels that no pixel samples
  *   passes    tables and warps, one of each per output
  *   eye       what follows a viewer who moves
  */
@@ -12,6 +13,7 @@
 #include <epoxy/gl.h>
 
 #include "cupola/gl.h"
+#include "geometry/mask.h"
 #include "geometry/plan.h"
 #include "geometry/source.h"
 #include "geometry/tiles.h"
@@ -64,6 +66,15 @@ struct warp_pass {
     unsigned int moves;       /* of the eye that are taken in; see cupola_gl */
 };
 
+/* What no pixel samples of the views. */
+struct mask_pass {
+    enum cupola_mask kind; /* what begins views lays; for a host's textures: NONE or not */
+    struct mask mask;
+    GLuint buffer, array, program;
+    GLint area, nearest; /* locations of uniforms */
+    unsigned int moves;  /* of the eye that are taken in; see cupola_gl */
+};
+
 /* Where views are that the host brings: as cupola_gl_views_import was told. */
 struct view_images {
     bool given;
@@ -87,11 +98,13 @@ struct cupola_gl {
     GLuint sampler;       /* of pictures; 0 where none are shown */
     GLuint image_sampler; /* of views that are the host's textures */
     GLuint gain_sampler;
+    struct mask_pass mask;
     struct view_images images;
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
     struct cupola_frame frame;
     bool frame_begun;
     unsigned int views_begun; /* in this frame: 1 << index of each */
+    unsigned int moves_begun; /* of the eye, when all of the atlas was cleared and masked */
     bool view_open;
     int open_view;                  /* its index */
     bool pass_open;                 /* over all views */
@@ -119,6 +132,7 @@ int views_check_params(const struct cupola_gl_params *params, struct cupola_erro
 int views_create(cupola_gl *gl, struct cupola_error *error);
 void views_destroy(cupola_gl *gl);
 bool views_have_stencil(const cupola_gl *gl);
+bool views_format_has_stencil(enum cupola_depth_format format);
 
 /* The host's state saved already: makes one view ready to be drawn; -1: all of them. */
 void views_clear(cupola_gl *gl, int index);
@@ -137,6 +151,22 @@ static inline const char *open_kind(const cupola_gl *gl)
 
 const char *views_format_name(const cupola_gl *gl);
 const char *views_depth_name(const cupola_gl *gl);
+
+/* Whether the mask and the formats of the views, which have been checked, agree. */
+int mask_check_params(const struct cupola_gl_params *params, struct cupola_error *error);
+
+/* After views_create; all of the pass is there to be destroyed after a failure, too. */
+int mask_pass_create(cupola_gl *gl, struct cupola_error *error);
+void mask_pass_destroy(struct mask_pass *pass);
+/* Its memory. */
+void mask_pass_forget(struct mask_pass *pass);
+
+/*
+ * Lays the mask of one view, or of all of them (below 0), for the eye as it is now. Viewport and
+ * scissor rectangle are set, and show the area of the atlas. Depth or stencil. Allocates nothing.
+ */
+void mask_lay(cupola_gl *gl, int view, enum cupola_mask kind, const struct cupola_rect *area,
+              bool reversed);
 
 /* Whether gl and an output of it may be worked on now. */
 int output_check(cupola_gl *gl, int output, struct cupola_error *error);

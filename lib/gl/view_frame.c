@@ -58,21 +58,27 @@ static void clear_area(const cupola_gl *gl)
 }
 
 /*
- * The first view of a frame clears the whole atlas: most GLs only note that all of a framebuffer is
- * clear, but draw where a part of it is to be. A view that begins again clears its own part.
+ * The first view of a frame clears and masks the whole atlas: most GLs only note that all of a
+ * framebuffer is clear, but draw where a part of it is to be. A view that begins again, or for
+ * another eye, clears its own part.
  */
 void views_clear(cupola_gl *gl, int index)
 {
     const struct cupola_plan_report *report = &gl->plan.report;
     struct cupola_rect area = {0, 0, report->atlas_width_px, report->atlas_height_px};
-    bool all = index < 0;
+    bool all = index < 0, first = all || !gl->views_begun, moved = gl->moves != gl->moves_begun;
     unsigned int view = all ? (1u << gl->plan.view_count) - 1u : 1u << index;
-    if (!all && gl->views_begun & view)
+    bool alone = !first && (moved || gl->views_begun & view);
+    if (alone)
         area = gl->plan.views[index].rect;
-    if (all || !gl->views_begun || gl->views_begun & view) {
+    if (first || alone) {
         host_set_area(&gl->features, area.x, area.y, area.width, area.height);
         clear_area(gl);
+        if (gl->mask.kind != CUPOLA_MASK_NONE)
+            mask_lay(gl, alone ? index : -1, gl->mask.kind, &area, gl->frame.depth.reversed);
     }
+    if (first)
+        gl->moves_begun = gl->moves;
     gl->views_begun |= view;
 }
 

@@ -236,9 +236,14 @@ const char *views_depth_name(const cupola_gl *gl)
     return depths[gl->params.depth].name;
 }
 
+bool views_format_has_stencil(enum cupola_depth_format format)
+{
+    return depths[format].attachment == GL_DEPTH_STENCIL_ATTACHMENT;
+}
+
 bool views_have_stencil(const cupola_gl *gl)
 {
-    return depths[gl->params.depth].attachment == GL_DEPTH_STENCIL_ATTACHMENT;
+    return views_format_has_stencil(gl->params.depth);
 }
 
 void views_destroy(cupola_gl *gl)

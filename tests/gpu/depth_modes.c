@@ -4,7 +4,8 @@
  *
  * The surfaces are planes that cross in the middle of each view. Their nearness (1 / distance) is
  * linear over a view, so which one is nearer is known at every pixel; where they are so alike that
- * depth cannot tell, either may win: 1e-5 of the range, many steps of 24 bits.
+ * depth cannot tell, either may win: 1e-5 of the range, many steps of 24 bits. Masks, which would
+ * hide parts of them, are the test mask_modes'.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +30,8 @@ static struct cupola_depth mode_of(int mode)
 static void make(struct fixture *fixture, enum cupola_depth_format format)
 {
     struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, 48);
-    const struct cupola_gl_params params = {.depth = format, .table = CUPOLA_TABLE_NONE};
+    const struct cupola_gl_params params = {
+        .depth = format, .table = CUPOLA_TABLE_NONE, .mask = CUPOLA_MASK_NONE};
     rig.eye_m[0] = 0.2;
     fixture_make(&rig, NULL, &params, fixture);
 }

@@ -28,6 +28,9 @@ static void set_stencil(void)
     glStencilFunc(GL_NEVER, 3, 0xf);
     glStencilOp(GL_INVERT, GL_INVERT, GL_INVERT);
     glStencilMask(0x5);
+    glStencilFuncSeparate(GL_BACK, GL_LESS, 200, 0x7f);
+    glStencilOpSeparate(GL_BACK, GL_DECR, GL_ZERO, GL_INCR_WRAP);
+    glStencilMaskSeparate(GL_BACK, 0x80000042u);
 }
 
 static void set_cull(void)

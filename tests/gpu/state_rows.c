@@ -178,7 +178,7 @@ static void check_row(struct snapshot *expected, const struct snapshot *now, con
 {
     for (int i = 0; i < now->count; i++)
         if (now->entries[i].name == GL_DRAW_BUFFER0 || now->entries[i].name == GL_READ_BUFFER ||
-            now->entries[i].name == GL_STENCIL_REF)
+            now->entries[i].name == GL_STENCIL_REF || now->entries[i].name == GL_STENCIL_BACK_REF)
             expected->entries[i].value = now->entries[i].value;
     assert_int_equal(snapshot_differences(expected, now, true, call), 0);
 }
@@ -196,6 +196,12 @@ static void check_views(int which)
     snapshot_take(&now);
     expect_each(&expected);
     expect_area(&expected, view.framebuffer, view.framebuffer, &view.rect);
+    expect(&expected, GL_DEPTH_FUNC, 0, GL_ALWAYS);
+    expect(&expected, GL_DEPTH_RANGE, 0, 0);
+    expect(&expected, GL_DEPTH_RANGE, 1, 1);
+    expect(&expected, GL_CURRENT_PROGRAM, 0, gl->mask.program);
+    expect(&expected, GL_VERTEX_ARRAY_BINDING, 0, gl->mask.array);
+    expect(&expected, GL_ELEMENT_ARRAY_BUFFER_BINDING, 0, 0); /* the vertex array's */
     if (views_have_stencil(gl))
         expect(&expected, GL_STENCIL_WRITEMASK, 0, all_stencil_bits);
     check_row(&expected, &now, "view_begin");

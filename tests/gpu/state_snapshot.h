@@ -137,6 +137,14 @@ static inline void snapshot_values(struct snapshot *all)
                                    GL_STENCIL_FUNC,
                                    GL_STENCIL_VALUE_MASK,
                                    GL_STENCIL_FAIL,
+                                   GL_STENCIL_PASS_DEPTH_FAIL,
+                                   GL_STENCIL_PASS_DEPTH_PASS,
+                                   GL_STENCIL_BACK_FUNC,
+                                   GL_STENCIL_BACK_VALUE_MASK,
+                                   GL_STENCIL_BACK_WRITEMASK,
+                                   GL_STENCIL_BACK_FAIL,
+                                   GL_STENCIL_BACK_PASS_DEPTH_FAIL,
+                                   GL_STENCIL_BACK_PASS_DEPTH_PASS,
                                    GL_STENCIL_WRITEMASK,
                                    GL_STENCIL_CLEAR_VALUE,
                                    GL_CULL_FACE_MODE,
@@ -240,7 +248,9 @@ static inline void snapshot_target(struct snapshot *all)
     snapshot_floats(all, GL_DRAW_FRAMEBUFFER_BINDING, 1);
     snapshot_floats(all, GL_READ_FRAMEBUFFER_BINDING, 1);
     snapshot_floats(all, GL_DRAW_BUFFER0, 1);
-    snapshot_floats(all, GL_STENCIL_REF, 1); /* told within what the framebuffer can hold */
+    snapshot_floats(all, GL_STENCIL_REF, 1);
+    snapshot_floats(all, GL_STENCIL_BACK_REF,
+                    1); /* both told within what the framebuffer can hold */
     snapshot_floats(all, GL_READ_BUFFER, 1);
     snapshot_floats(all, GL_VIEWPORT, 4);
     snapshot_floats(all, GL_SCISSOR_BOX, 4);

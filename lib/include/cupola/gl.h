@@ -100,6 +100,23 @@ enum cupola_table {
 };
 
 /*
+ * Where the mask of what no pixel samples is laid when views begin, so that the host's own tests
+ * drop those fragments before they are shaded. All that filters within the guard band may touch is
+ * left free, wherever the eye is.
+ */
+enum cupola_mask {
+    CUPOLA_MASK_AUTO = 0, /* depth; none where the views have none or the plan is `unmasked` */
+    CUPOLA_MASK_NONE,     /* nothing: whole rectangles are shaded */
+    /* Masked texels hold the depth of what is nearest (0, reversed 1): with GL_LESS or GL_LEQUAL
+     * (reversed: GL_GREATER, GL_GEQUAL) nothing is drawn there. */
+    CUPOLA_MASK_DEPTH,
+    /* Masked texels have stencil 128, all others 0: the host draws with glStencilFunc(GL_EQUAL, 0,
+     * 128) and leaves that bit alone. For hosts that write depth without testing it, or read it
+     * afterwards. Needs a depth format with stencil. */
+    CUPOLA_MASK_STENCIL,
+};
+
+/*
  * How a plan is carried out. All zero passes numbers through as they are; a host that draws colours
  * for a screen sets format to SRGB8 and encoding to SRGB, and they are mixed as light.
  */
@@ -110,6 +127,8 @@ struct cupola_gl_params {
                                      * tells). view_end resolves them. 0, 1: one */
     enum cupola_storage storage;    /* 0: the atlas. Others not with the coordinates' table */
     enum cupola_table table;        /* 0: points */
+    /* 0: auto. With a host's textures, which cupola_gl_mask masks, all but none are the same. */
+    enum cupola_mask mask;
     enum cupola_encoding encoding;  /* of what the warp writes; 0: linear */
     /* RGBA of pixels that are not lit, in linear light, finite (below 0 for targets that hold such
      * numbers); all zero: transparent black */
@@ -247,6 +266,30 @@ CUPOLA_API int cupola_gl_view_end(cupola_gl *gl, struct cupola_error *error);
  * since    0.1
  */
 CUPOLA_API int cupola_gl_set_eye(cupola_gl *gl, const double eye_m[3], struct cupola_error *error);
+
+/*
+ * Lays the mask of one view into the framebuffer that is bound for drawing: for hosts that draw
+ * into textures of their own, once they have cleared them. Colour stays as it is.
+ *
+ * index    0 to the number of views - 1
+ * mask     DEPTH or STENCIL
+ * rect     where the view's base rectangle lies in the framebuffer, px; corner -2^24 to 2^24, size
+ *          the plan's or any other, down to the plan's by the guard band; NULL: at (0, 0), of the
+ *          plan's size
+ * reversed the nearest depth is 1
+ * error    may be NULL
+ * returns  CUPOLA_OK
+ *          CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views, for views of its own or
+ *          without masks, there is no such view, or mask or rectangle are not as said above
+ *          CUPOLA_ERROR_CONTEXT
+ *          CUPOLA_ERROR_LOST
+ *          CUPOLA_ERROR_GL if the framebuffer is not complete
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_gl_mask(cupola_gl *gl, int index, enum cupola_mask mask,
+                              const struct cupola_rect *rect, bool reversed,
+                              struct cupola_error *error);
 
 /* A host's texture, or a part of it, as a view. */
 struct cupola_view_image {

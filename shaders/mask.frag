@@ -1,0 +1,5 @@
+// Depth or stencil alone.
+
+void main()
+{
+}
