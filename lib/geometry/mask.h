@@ -25,7 +25,7 @@
 /* A square of an image: its corners on the screen, by rows, in the host's camera frame, m. */
 struct mask_square {
     float x[4], y[4], z[4];
-    float margin; /* by which its box in a view is widened, as a part of the box */
+    float margin; /* by which its box in a view is widened on each side, as a part of it */
 };
 
 /* A corner of a triangle, in texels of the atlas. */

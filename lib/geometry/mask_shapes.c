@@ -13,7 +13,7 @@ enum { RUNS_MAX = 64, SHAPE_VERTICES = 6 };
 /* Sides keep this far from what they leave free: rasterisers round corners to 1/16 at worst. */
 static const float apart = 0.0625f;
 /* And they lie no farther from it than this where they run straight up. */
-static const float loose = 1.25f;
+static const float loose = 1.0f;
 static const float start_apart = 0.75f; /* of a side, from its first run's end */
 static const float least_area = 3;      /* of a shape that is worth its triangles, texels */
 

@@ -42,15 +42,14 @@ static enum cupola_mask choose(const cupola_gl *gl)
     return depth && !gl->plan.unmasked ? CUPOLA_MASK_DEPTH : CUPOLA_MASK_NONE;
 }
 
-/* Other storage for the same buffer: what has been drawn need not be waited for. */
-static void upload(const cupola_gl *gl)
+static GLsizeiptr vertex_bytes(int count)
 {
-    const struct mask *mask = &gl->mask.mask;
-    size_t size = sizeof *mask->vertices;
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(size * (size_t)mask->vertex_most), NULL,
-                 gl->plan.head_radius_m > 0 ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
-    glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)(size * (size_t)mask->vertex_count),
-                    mask->vertices);
+    return (GLsizeiptr)((size_t)count * sizeof(struct mask_vertex));
+}
+
+static void upload(const struct mask *mask)
+{
+    glBufferSubData(GL_ARRAY_BUFFER, 0, vertex_bytes(mask->vertex_count), mask->vertices);
 }
 
 static int create_buffer(cupola_gl *gl, struct cupola_error *error)
@@ -68,7 +67,9 @@ static int create_buffer(cupola_gl *gl, struct cupola_error *error)
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(struct mask_vertex), NULL);
     gl_errors_drop();
-    upload(gl);
+    glBufferData(GL_ARRAY_BUFFER, vertex_bytes(pass->mask.vertex_most), NULL,
+                 gl->plan.head_radius_m > 0 ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+    upload(&pass->mask);
     GLenum failure = glGetError();
     guest_name(&gl->guest, GL_BUFFER, pass->buffer, "mask of the views");
     host_buffer_restore(&host);
@@ -130,7 +131,7 @@ static void follow(cupola_gl *gl)
     if (kept)
         host_buffer_save(&host);
     glBindBuffer(GL_ARRAY_BUFFER, gl->mask.buffer);
-    upload(gl);
+    upload(&gl->mask.mask);
     if (kept)
         host_buffer_restore(&host);
     gl->mask.moves = gl->moves;
