@@ -131,13 +131,19 @@ static void clip_from_world(const struct cupola_camera *camera, GLfloat clip[16]
     }
 }
 
-static void begin(const struct confetti *confetti, const struct fixture *fixture,
-                  const struct cupola_frame *frame, GLuint program)
+static void begin(const struct fixture *fixture, const struct cupola_frame *frame)
 {
     struct cupola_error error = {CUPOLA_OK, ""};
     if (cupola_gl_frame_begin(fixture->gl, frame, &error) < 0)
         fail_msg("%s", error.message);
+}
+
+/* All of it, in every view: Cupola may have left another one. */
+static void set_state(const struct confetti *confetti, const struct cupola_frame *frame,
+                      GLuint program)
+{
     host_depth(&frame->depth);
+    context_depth_range(0, 1);
     if (!context_is_es())
         glEnable(GL_PROGRAM_POINT_SIZE);
     glUseProgram(program);
@@ -158,11 +164,12 @@ static void end(void)
 void confetti_loop(const struct confetti *confetti, const struct fixture *fixture,
                    const struct cupola_frame *frame)
 {
-    begin(confetti, fixture, frame, confetti->looped);
+    begin(fixture, frame);
     for (int i = 0; i < cupola_plan_view_count(fixture->plan); i++) {
         struct cupola_gl_view view;
         GLfloat clip[16];
         assert_int_equal(cupola_gl_view_begin(fixture->gl, i, &view, NULL), CUPOLA_OK);
+        set_state(confetti, frame, confetti->looped);
         clip_from_world(&view.camera, clip);
         glUniformMatrix4fv(glGetUniformLocation(confetti->looped, "clip_from_world"), 1, GL_FALSE,
                            clip);
@@ -177,9 +184,10 @@ void confetti_pass(const struct confetti *confetti, const struct fixture *fixtur
 {
     struct cupola_gl_pass pass;
     struct cupola_error error = {CUPOLA_OK, ""};
-    begin(confetti, fixture, frame, program);
+    begin(fixture, frame);
     if (cupola_gl_pass_begin(fixture->gl, world, &pass, &error) < 0)
         fail_msg("%s", error.message);
+    set_state(confetti, frame, program);
     glBindBufferBase(GL_UNIFORM_BUFFER, CONFETTI_BINDING, pass.buffer);
     glDrawArraysInstanced(confetti->mode, 0, CONFETTI_VERTICES,
                           CONFETTI_INSTANCES * pass.view_count);

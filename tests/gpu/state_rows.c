@@ -183,6 +183,32 @@ static void check_row(struct snapshot *expected, const struct snapshot *now, con
     assert_int_equal(snapshot_differences(expected, now, true, call), 0);
 }
 
+/* After masks that have been laid in depth, or in stencil. */
+static void expect_mask(struct snapshot *expected)
+{
+    static const GLenum stencil[] = {GL_STENCIL_FUNC, GL_STENCIL_BACK_FUNC};
+    static const GLenum ops[] = {
+        GL_STENCIL_FAIL,      GL_STENCIL_PASS_DEPTH_FAIL,      GL_STENCIL_PASS_DEPTH_PASS,
+        GL_STENCIL_BACK_FAIL, GL_STENCIL_BACK_PASS_DEPTH_FAIL, GL_STENCIL_BACK_PASS_DEPTH_PASS};
+    const struct mask_pass *mask = &house.gl->mask;
+    expect(expected, GL_CURRENT_PROGRAM, 0, mask->program);
+    expect(expected, GL_VERTEX_ARRAY_BINDING, 0, mask->array);
+    expect(expected, GL_ELEMENT_ARRAY_BUFFER_BINDING, 0, 0); /* the vertex array's */
+    if (mask->kind == CUPOLA_MASK_DEPTH) {
+        expect(expected, GL_DEPTH_FUNC, 0, GL_ALWAYS);
+        expect(expected, GL_DEPTH_RANGE, 0, 0);
+        expect(expected, GL_DEPTH_RANGE, 1, 1);
+        return;
+    }
+    for (int i = 0; i < 2; i++)
+        expect(expected, stencil[i], 0, GL_ALWAYS);
+    for (int i = 0; i < 6; i++)
+        expect(expected, ops[i], 0, GL_REPLACE);
+    expect(expected, GL_STENCIL_VALUE_MASK, 0, 255);
+    expect(expected, GL_STENCIL_BACK_VALUE_MASK, 0, 255);
+    expect(expected, GL_STENCIL_BACK_WRITEMASK, 0, all_stencil_bits);
+}
+
 static void check_views(int which)
 {
     const cupola_gl *gl = house.gl;
@@ -196,12 +222,7 @@ static void check_views(int which)
     snapshot_take(&now);
     expect_each(&expected);
     expect_area(&expected, view.framebuffer, view.framebuffer, &view.rect);
-    expect(&expected, GL_DEPTH_FUNC, 0, GL_ALWAYS);
-    expect(&expected, GL_DEPTH_RANGE, 0, 0);
-    expect(&expected, GL_DEPTH_RANGE, 1, 1);
-    expect(&expected, GL_CURRENT_PROGRAM, 0, gl->mask.program);
-    expect(&expected, GL_VERTEX_ARRAY_BINDING, 0, gl->mask.array);
-    expect(&expected, GL_ELEMENT_ARRAY_BUFFER_BINDING, 0, 0); /* the vertex array's */
+    expect_mask(&expected);
     if (views_have_stencil(gl))
         expect(&expected, GL_STENCIL_WRITEMASK, 0, all_stencil_bits);
     check_row(&expected, &now, "view_begin");
@@ -231,6 +252,7 @@ static void check_pass(int which)
     check_ok(cupola_gl_pass_begin(house.gl, NULL, &pass, &error), "pass_begin", &error);
     snapshot_take(&now);
     expect_each(&expected);
+    expect_mask(&expected);
     expect(&expected, GL_ARRAY_BUFFER_BINDING, 0, pass.buffer);
     expect_area(&expected, pass.framebuffer, pass.framebuffer, &pass.views[0].rect);
     for (int i = 1; i < pass.view_count; i++) {
@@ -313,7 +335,10 @@ static void what_is_left_is_what_the_contract_says(void **state)
          .depth = CUPOLA_DEPTH_24_STENCIL_8,
          .samples = 2,
          .encoding = CUPOLA_ENCODING_SRGB},
-        {.leaves_state = true, .table = CUPOLA_TABLE_TILES},
+        {.leaves_state = true,
+         .depth = CUPOLA_DEPTH_32F_STENCIL_8,
+         .mask = CUPOLA_MASK_STENCIL,
+         .table = CUPOLA_TABLE_TILES},
         {.leaves_state = true, .storage = CUPOLA_STORAGE_TEXTURES},
         {.leaves_state = true, .storage = CUPOLA_STORAGE_LAYERS},
     };
