@@ -159,7 +159,9 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     context_open();
     EGLDisplay display = eglGetCurrentDisplay();
     EGLContext context = eglGetCurrentContext();
-    fixture_make(&rig, NULL, NULL, &fixture);
+    const struct cupola_plan_params moving = {.head_radius_m = 0.1};
+    const double eye_m[3] = {0.0, 0.05, 0.0};
+    fixture_make(&rig, &moving, NULL, &fixture);
     fixture_make(&rig, NULL, NULL, &open);
     assert_int_equal(cupola_theatre_create(fixture.dome, &theatre, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, NULL), CUPOLA_OK);
@@ -168,6 +170,7 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     check_at_least(cupola_gl_frame_begin(open.gl, NULL, NULL), 1);
     assert_int_equal(cupola_gl_view_begin(open.gl, 0, NULL, NULL), CUPOLA_OK);
     assert_true(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
+    assert_int_equal(cupola_gl_set_eye(fixture.gl, eye_m, &error), CUPOLA_OK); /* needs none */
     check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT, &error,
                   "no GL context");
     assert_int_equal(cupola_gl_view_end(open.gl, &error), CUPOLA_ERROR_CONTEXT);

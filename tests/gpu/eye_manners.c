@@ -190,6 +190,44 @@ static void pictures_and_overlays_follow(void **state)
     }
 }
 
+static void set_gain(GLuint gain)
+{
+    struct cupola_error error = {CUPOLA_OK, ""};
+    check_ok(cupola_gl_set_gain(house.gl, 0, gain, &error), "gain", &error);
+}
+
+/* Whether its programs were made before the move or after it, and with none in between. */
+static void a_warp_with_gain_follows_too(void **state)
+{
+    (void)state;
+    for (int stage = 0; stage < STAGES; stage++) {
+        const struct cupola_gl_params params = {.table =
+                                                    guest_moving_table((enum cupola_table)stage)};
+        struct cupola_error error = {CUPOLA_OK, ""};
+        make(&params);
+        move_to(other_eye_m);
+        check_ok(guest_views(&house, &error), "views", &error);
+        set_gain(house.gain);
+        float *expected = warped();
+        cupola_gl_destroy(&house.gl);
+        make(&params);
+        set_gain(house.gain);
+        check_ok(guest_views(&house, &error), "views", &error);
+        float *before = warped();
+        set_gain(0);
+        move_to(other_eye_m);
+        free(warped());
+        set_gain(house.gain);
+        float *shown = warped();
+        assert_false(differ(expected, shown));
+        assert_true(differ(before, shown)); /* the control */
+        free(shown);
+        free(before);
+        free(expected);
+        cupola_gl_destroy(&house.gl);
+    }
+}
+
 static void moving_makes_no_gl_call(void **state)
 {
     const struct cupola_gl_params params = {.table = CUPOLA_TABLE_TILES};
@@ -274,6 +312,7 @@ int main(void)
         cmocka_unit_test(without_a_head_radius_the_eye_stays),
         cmocka_unit_test(a_gl_has_a_plan_of_its_own),
         cmocka_unit_test(pictures_and_overlays_follow),
+        cmocka_unit_test(a_warp_with_gain_follows_too),
         cmocka_unit_test(moving_makes_no_gl_call),
         cmocka_unit_test(what_follows_heeds_no_state_and_keeps_it),
         cmocka_unit_test(tables_that_cannot_follow_are_refused),
