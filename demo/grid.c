@@ -7,33 +7,34 @@
 #include <epoxy/gl.h>
 
 #include "overlay_shaders.h"
-#include "program.h"
+#include "scene_views.h"
 
 struct grid {
-    GLuint program;
+    struct scene_programs programs;
     GLuint vertex_array; /* empty: core profiles want one */
-    GLint rays;
-    GLint eye;
-    GLint radius;
 };
 
-struct grid *grid_create(char *message, size_t message_size)
+struct grid *grid_create(int way, char *message, size_t message_size)
 {
+    static const char *const varyings[] = {"vec3 dome_ray"};
+    const struct program_source source = {.name = "test grid",
+                                          .vertex = shader_grid_vert,
+                                          .varyings = varyings,
+                                          .varying_count = 1,
+                                          .fragment = shader_grid_frag};
     struct grid *grid = calloc(1, sizeof *grid);
 
     if (!grid) {
         snprintf(message, message_size, "test grid: out of memory");
         return NULL;
     }
-    grid->program =
-        program_create("test grid", shader_grid_vert, shader_grid_frag, message, message_size);
-    if (!grid->program) {
-        free(grid);
+    grid->programs.one_view = program_create_of(0, &source, message, message_size);
+    if (grid->programs.one_view && way)
+        grid->programs.all_views = program_create_of(way, &source, message, message_size);
+    if (!grid->programs.one_view || (way && !grid->programs.all_views)) {
+        grid_destroy(grid);
         return NULL;
     }
-    grid->rays = glGetUniformLocation(grid->program, "rays");
-    grid->eye = glGetUniformLocation(grid->program, "eye_m");
-    grid->radius = glGetUniformLocation(grid->program, "radius_m");
     glGenVertexArrays(1, &grid->vertex_array);
     return grid;
 }
@@ -43,7 +44,7 @@ void grid_destroy(struct grid *grid)
     if (!grid)
         return;
     glDeleteVertexArrays(1, &grid->vertex_array);
-    glDeleteProgram(grid->program);
+    scene_programs_destroy(&grid->programs);
     free(grid);
 }
 
@@ -61,28 +62,38 @@ static void to_dome(const cupola_dome *dome, const struct cupola_view *view, con
         dome_vector[i] = (float)turned[i];
 }
 
-void grid_draw(struct grid *grid, const cupola_dome *dome, const struct cupola_view *view)
+/* Columns: a place (u, v) of the base rectangle is seen along rays (u, v, 1). */
+static void view_rays(const cupola_dome *dome, const struct cupola_view *view, float rays[9])
 {
-    const struct cupola_rig *rig = cupola_dome_rig(dome);
     const double across[3] = {view->right - view->left, 0, 0};
     const double upwards[3] = {0, view->top - view->bottom, 0};
     const double corner[3] = {view->left, view->bottom, -1};
-    float rays[9]; /* columns: a place (u, v) of the base rectangle is seen along rays (u, v, 1) */
 
     to_dome(dome, view, across, rays);
     to_dome(dome, view, upwards, rays + 3);
     to_dome(dome, view, corner, rays + 6);
+}
 
+void grid_draw(struct grid *grid, const cupola_dome *dome, const cupola_plan *plan, int first,
+               int count)
+{
+    const struct cupola_rig *rig = cupola_dome_rig(dome);
+    GLuint program = count > 1 ? grid->programs.all_views : grid->programs.one_view;
+    float rays[9 * CUPOLA_VIEWS_MAX];
+
+    for (int i = 0; i < count; i++)
+        view_rays(dome, cupola_plan_view(plan, first + i), rays + 9 * i);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glUseProgram(grid->program);
-    glUniformMatrix3fv(grid->rays, 1, GL_FALSE, rays);
-    glUniform3f(grid->eye, (float)rig->eye_m[0], (float)rig->eye_m[1], (float)rig->eye_m[2]);
-    glUniform1f(grid->radius, (float)rig->screen.radius_m);
+    glUseProgram(program);
+    glUniformMatrix3fv(glGetUniformLocation(program, "rays"), count, GL_FALSE, rays);
+    glUniform3f(glGetUniformLocation(program, "eye_m"), (float)rig->eye_m[0], (float)rig->eye_m[1],
+                (float)rig->eye_m[2]);
+    glUniform1f(glGetUniformLocation(program, "radius_m"), (float)rig->screen.radius_m);
     glBindVertexArray(grid->vertex_array);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, count);
     glBindVertexArray(0);
     glUseProgram(0);
     glDisable(GL_BLEND);

@@ -29,8 +29,8 @@ static const char *picture_contradiction(const struct options *o)
                "the name";
     if (o->views_given)
         return "--layout, --views, --density, --view-size, --guard, --head-radius, --eye-circle, "
-               "--view-format, --msaa and --depth belong to views, and --show has none; allowed: "
-               "without them";
+               "--view-format, --msaa, --depth and --submission belong to views, and --show has "
+               "none; allowed: without them";
     if (o->flat || o->camera.given || o->look.given || o->up.given)
         return "--flat, --camera, --look and --up belong to a scene, and --show has none; allowed: "
                "--picture-aim turns a picture";

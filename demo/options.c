@@ -45,6 +45,13 @@ static const char *depth_name(int index)
     return name_at(names, 2, index);
 }
 
+/* In the order of enum submission_wish. */
+static const char *submission_name(int index)
+{
+    static const char *const names[] = {"auto", "loop", "once"};
+    return name_at(names, 3, index);
+}
+
 /* Every kind of source but the views. */
 static const char *picture_kind_name(int index)
 {
@@ -221,6 +228,11 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
         if (!value_name(c, text, depth_name, &index))
             return false;
         o->reversed_depth = index == 1;
+        return true;
+    case OPTION_SUBMISSION:
+        if (!value_name(c, text, submission_name, &index))
+            return false;
+        o->submission = (enum submission_wish)index;
         return true;
     default:
         if (!value_name(c, text, cupola_table_name, &index))

@@ -25,6 +25,8 @@ enum show_mode {
 
 enum scene_kind { SCENE_CUBE = 0, SCENE_DIRECTIONS, SCENE_SCREEN, SCENE_FOREST };
 
+enum submission_wish { SUBMISSION_AUTO = 0, SUBMISSION_LOOP, SUBMISSION_ONCE };
+
 /* A number or some that may be missing. */
 struct optional {
     bool given;
@@ -82,6 +84,7 @@ struct options {
     int view_format; /* -1: not given; else of enum cupola_format */
     int samples;     /* per texel of a view; 0: not given */
     bool reversed_depth;
+    enum submission_wish submission;
     enum show_mode mode;
     int show_output; /* index; -1: not given */
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include <cupola/plan.h>
+#include <cupola/one_pass.h>
 
 /* Matrices are column-major, as GL has them: clip = projection view host x. */
 struct scene_camera {
@@ -16,6 +16,10 @@ struct scene_camera {
     const struct cupola_camera *view;
     const float *host;   /* world to the host's camera frame; rotation and displacement only */
     bool reversed_depth; /* what is nearer has the greater depth */
+    /* All views at once, in place of `view`: with the pass open and its uniform block bound. For
+     * scenes that were made with a way to that. NULL: one view */
+    const struct cupola_gl_pass *pass;
+    const double *eye; /* of all views, world; NULL: what the matrices say */
 };
 
 /* How surfaces get their colours, from the cheapest on. */
@@ -33,6 +37,7 @@ struct scene_wishes {
     int lamps;         /* of SCENE_HEAVY, up to SCENE_LAMPS_MAX; 0: SCENE_LAMPS; -1: none */
     int triangles;     /* of the forest, from MIN to MAX; 0: SCENE_TRIANGLES */
     unsigned int seed; /* of the forest */
+    int way; /* of enum cupola_pass_way, by which all views can be drawn at once; 0: one by one */
     /* To set a load, for whoever measures; the demo leaves them 0. */
     bool smooth;    /* SCENE_HEAVY without bumps */
     int anisotropy; /* of the room's pictures, at most; 0: 8; 1: trilinear filtering */
@@ -78,15 +83,15 @@ struct scene *scene_cube_create(const struct scene_wishes *wishes, char *message
 struct scene *scene_forest_create(const struct scene_wishes *wishes, char *message,
                                   size_t message_size);
 
-/* Colour = unit direction of the ray in the host's camera frame. */
-struct scene *scene_directions_create(char *message, size_t message_size);
+/* Colour = unit direction of the ray in the host's camera frame. way: as in the wishes. */
+struct scene *scene_directions_create(int way, char *message, size_t message_size);
 
 /*
  * Colour = the point of the screen sphere that the ray meets: dome frame, metres.
  * camera_to_dome is a rotation (row-major), eye_m and radius_m as in the rig.
  */
 struct scene *scene_screen_create(const double camera_to_dome[9], const double eye_m[3],
-                                  double radius_m, char *message, size_t message_size);
+                                  double radius_m, int way, char *message, size_t message_size);
 
 /*
  * Whatever assimp reads, at 1:1 in world coordinates: the file's own numbers and axes, except where

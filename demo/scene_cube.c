@@ -9,7 +9,6 @@
 
 #include "demo_shaders.h"
 #include "scene_cube_picture.h"
-#include "scene_matrix.h"
 #include "shading.h"
 
 /* From the middle to each face; a dome of 1 m fits in with its viewer anywhere. */
@@ -17,12 +16,10 @@ static const float half_side = 2;
 
 struct cube_scene {
     struct scene scene;
-    GLuint program;
+    struct scene_programs programs;
     GLuint vertex_array;
     GLuint vertices;
     GLuint pictures;
-    GLint clip_from_world;
-    GLint eye;
 };
 
 struct corner {
@@ -34,38 +31,33 @@ struct corner {
 static void cube_draw(struct scene *scene, const struct scene_camera *camera)
 {
     struct cube_scene *cube = (struct cube_scene *)scene;
-    double clip[16], basis[9], eye[3];
-    float matrix[16], float_eye[3];
-    scene_clip_from_world(camera, clip);
-    if (!scene_rays(clip, basis, eye))
-        return;
-    scene_to_float(clip, 16, matrix);
-    scene_to_float(eye, 3, float_eye);
+    GLuint program = scene_program(&cube->programs, camera);
+    int views = scene_view_count(camera);
 
+    glUseProgram(program);
+    if (!scene_set_camera(program, camera))
+        return;
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glUseProgram(cube->program);
-    glUniformMatrix4fv(cube->clip_from_world, 1, GL_FALSE, matrix);
-    glUniform3fv(cube->eye, 1, float_eye);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, cube->pictures);
     glBindVertexArray(cube->vertex_array);
-    glDrawArrays(GL_TRIANGLES, 0, 6 * CUBE_FACES);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 6 * CUBE_FACES, views);
     glBindVertexArray(0);
     glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     glUseProgram(0);
-    scene->drawn.triangles += scene->whole.triangles;
-    scene->drawn.instances += scene->whole.instances;
+    scene->drawn.triangles += views * scene->whole.triangles;
+    scene->drawn.instances += views * scene->whole.instances;
 }
 
 static void cube_destroy(struct scene *scene)
 {
     struct cube_scene *cube = (struct cube_scene *)scene;
-    glDeleteProgram(cube->program);
+    scene_programs_destroy(&cube->programs);
     glDeleteVertexArrays(1, &cube->vertex_array);
     glDeleteBuffers(1, &cube->vertices);
     glDeleteTextures(1, &cube->pictures);
@@ -162,14 +154,21 @@ static bool create_program(struct cube_scene *cube, const struct scene_wishes *w
 {
     const struct shading_lamps lamps = {
         .radius = 0.6 * (double)half_side, .lowest = -0.9, .bump_size = 0.12f};
-    cube->program = shading_program_create("cube", shader_cube_vert, shader_cube_frag,
-                                           shader_lamp_glsl, &lamps, wishes, message, message_size);
-    if (!cube->program)
+    static const char *const varyings[] = {"vec3 wall_place", "vec3 wall_texcoord",
+                                           "flat vec3 wall_inward"};
+    const struct program_source source = {.name = "cube",
+                                          .vertex = shader_cube_vert,
+                                          .varyings = varyings,
+                                          .varying_count = 3,
+                                          .functions = shader_lamp_glsl,
+                                          .fragment = shader_cube_frag};
+    const GLuint *made[2] = {&cube->programs.one_view, &cube->programs.all_views};
+    if (!shading_programs_create(&cube->programs, &source, &lamps, wishes, message, message_size))
         return false;
-    cube->clip_from_world = glGetUniformLocation(cube->program, "clip_from_world");
-    cube->eye = glGetUniformLocation(cube->program, "eye");
-    glUseProgram(cube->program);
-    glUniform1i(glGetUniformLocation(cube->program, "pictures"), 0);
+    for (int i = 0; i < 2 && *made[i]; i++) {
+        glUseProgram(*made[i]);
+        glUniform1i(glGetUniformLocation(*made[i], "pictures"), 0);
+    }
     glUseProgram(0);
     return true;
 }

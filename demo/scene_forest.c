@@ -1,4 +1,4 @@
-/* The forest: of its instances those that a view may see, in a buffer filled for each view. */
+/* The forest: of its instances those that each view may see, in a buffer filled for each draw. */
 #include "scene.h"
 
 #include <math.h>
@@ -9,8 +9,6 @@
 
 #include "demo_shaders.h"
 #include "forest.h"
-#include "program.h"
-#include "scene_matrix.h"
 #include "shading.h"
 
 /* What the ground is made of and each kind of tree. */
@@ -23,52 +21,59 @@ struct part {
 struct forest_scene {
     struct scene scene;
     struct forest forest;
-    GLuint program;
-    GLuint backdrop; /* program: the sky */
+    struct scene_programs programs;
+    struct scene_programs backdrop; /* the sky */
     GLuint no_vertices;
     struct part ground;
     struct part kinds[FOREST_KINDS];
-    GLuint instances;         /* of the kind and view that is drawn */
-    struct forest_tree *seen; /* room for as many as there are of any kind */
+    GLuint view_numbers;   /* 0, 1, ...: the views of the ground's instances */
+    GLuint instances;      /* of the kind that is drawn */
+    struct instance *seen; /* room for as many as there are of any kind, in all views */
 };
 
-/* Copies the trees that the view may see; how many. */
-static int cull(const struct forest_scene *scene, int kind, const struct scene_camera *camera)
+struct instance {
+    struct forest_tree tree;
+    GLint view;
+};
+
+/* Adds the trees that a view may see. */
+static void cull(struct forest_scene *scene, int kind, const struct scene_camera *camera, int view,
+                 int *seen)
 {
     const struct forest_tree *trees = scene->forest.trees[kind];
+    const struct cupola_camera *seer = scene_view(camera, view);
     const float *m = camera->host;
-    int seen = 0;
 
     for (int i = 0; i < scene->forest.tree_count[kind]; i++) {
         const float *p = trees[i].place;
         float center[3];
         for (int k = 0; k < 3; k++)
             center[k] = m[k] * p[0] + m[4 + k] * p[1] + m[8 + k] * p[2] + m[12 + k];
-        if (cupola_camera_sees_sphere(camera->view, center, trees[i].radius) == 1)
-            scene->seen[seen++] = trees[i];
+        if (cupola_camera_sees_sphere(seer, center, trees[i].radius) == 1)
+            scene->seen[(*seen)++] = (struct instance){trees[i], view};
     }
-    return seen;
 }
 
-static void draw_sky(const struct forest_scene *scene, const double basis[9], const float eye[3])
+static void draw_sky(const struct forest_scene *scene, const struct scene_camera *camera)
 {
-    float float_basis[9];
+    GLuint program = scene_program(&scene->backdrop, camera);
 
-    scene_to_float(basis, 9, float_basis);
     glDisable(GL_DEPTH_TEST);
-    glUseProgram(scene->backdrop);
-    glUniformMatrix3fv(glGetUniformLocation(scene->backdrop, "ray_basis"), 1, GL_FALSE,
-                       float_basis);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "eye"), 1, eye);
+    glUseProgram(program);
+    if (!scene_set_camera(program, camera) || !scene_set_rays(program, camera, true, NULL))
+        return;
     glBindVertexArray(scene->no_vertices);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
 }
 
+/* One call for each kind, of the trees of one view or of all. */
 static void draw_trees(struct forest_scene *scene, const struct scene_camera *camera)
 {
     glBindBuffer(GL_ARRAY_BUFFER, scene->instances);
     for (int kind = 0; kind < FOREST_KINDS; kind++) {
-        int count = cull(scene, kind, camera), indices = scene->forest.kinds[kind].index_count;
+        int count = 0, indices = scene->forest.kinds[kind].index_count;
+        for (int view = 0; view < scene_view_count(camera); view++)
+            cull(scene, kind, camera, view, &count);
         if (count == 0)
             continue;
         /* New storage each time: what is still being drawn keeps the old one. */
@@ -82,42 +87,35 @@ static void draw_trees(struct forest_scene *scene, const struct scene_camera *ca
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-static void draw_ground(struct forest_scene *scene)
+static void draw_ground(struct forest_scene *scene, int views)
 {
     int indices = scene->forest.ground.index_count;
 
     glBindVertexArray(scene->ground.vertex_array);
     glVertexAttrib4f(3, 0, 0, 0, 1);
     glVertexAttrib3f(4, 1, 0, 0.5f);
-    glDrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL);
-    scene->scene.drawn.triangles += indices / 3;
-    scene->scene.drawn.instances++;
+    glDrawElementsInstanced(GL_TRIANGLES, indices, GL_UNSIGNED_INT, NULL, views);
+    scene->scene.drawn.triangles += (long)views * (indices / 3);
+    scene->scene.drawn.instances += views;
 }
 
 static void forest_scene_draw(struct scene *base, const struct scene_camera *camera)
 {
     struct forest_scene *scene = (struct forest_scene *)base;
-    double clip[16], basis[9], eye[3];
-    float matrix[16], float_eye[3];
+    GLuint program = scene_program(&scene->programs, camera);
 
-    scene_clip_from_world(camera, clip);
-    if (!scene_rays(clip, basis, eye))
-        return;
-    scene_to_float(clip, 16, matrix);
-    scene_to_float(eye, 3, float_eye);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    draw_sky(scene, basis, float_eye);
+    draw_sky(scene, camera);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);
-    glUseProgram(scene->program);
-    glUniformMatrix4fv(glGetUniformLocation(scene->program, "clip_from_world"), 1, GL_FALSE,
-                       matrix);
-    glUniform3fv(glGetUniformLocation(scene->program, "eye"), 1, float_eye);
+    glUseProgram(program);
+    if (!scene_set_camera(program, camera))
+        return;
     draw_trees(scene, camera);
-    draw_ground(scene);
+    draw_ground(scene, scene_view_count(camera));
     glBindVertexArray(0);
     glUseProgram(0);
 }
@@ -133,9 +131,10 @@ static void forest_scene_destroy(struct scene *base)
 {
     struct forest_scene *scene = (struct forest_scene *)base;
 
-    glDeleteProgram(scene->program);
-    glDeleteProgram(scene->backdrop);
+    scene_programs_destroy(&scene->programs);
+    scene_programs_destroy(&scene->backdrop);
     glDeleteVertexArrays(1, &scene->no_vertices);
+    glDeleteBuffers(1, &scene->view_numbers);
     glDeleteBuffers(1, &scene->instances);
     destroy_part(&scene->ground);
     for (int kind = 0; kind < FOREST_KINDS; kind++)
@@ -155,6 +154,14 @@ static void attribute(GLuint index, GLint size, size_t stride, size_t offset, GL
     glEnableVertexAttribArray(index);
     glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const void *)offset);
     glVertexAttribDivisor(index, divisor);
+}
+
+/* An integer for each instance. */
+static void number_attribute(GLuint index, size_t stride, size_t offset)
+{
+    glEnableVertexAttribArray(index);
+    glVertexAttribIPointer(index, 1, GL_INT, (GLsizei)stride, (const void *)offset);
+    glVertexAttribDivisor(index, 1);
 }
 
 static void create_part(struct part *part, const struct forest_mesh *mesh)
@@ -177,19 +184,36 @@ static void create_part(struct part *part, const struct forest_mesh *mesh)
 
 static void create_parts(struct forest_scene *scene)
 {
-    const size_t stride = sizeof(struct forest_tree);
+    static const GLint numbers[CUPOLA_VIEWS_MAX] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const size_t stride = sizeof(struct instance);
 
     glGenVertexArrays(1, &scene->no_vertices);
     glGenBuffers(1, &scene->instances);
     create_part(&scene->ground, &scene->forest.ground);
+    glGenBuffers(1, &scene->view_numbers);
+    glBindBuffer(GL_ARRAY_BUFFER, scene->view_numbers);
+    glBufferData(GL_ARRAY_BUFFER, sizeof numbers, numbers, GL_STATIC_DRAW);
+    number_attribute(5, sizeof *numbers, 0);
     for (int kind = 0; kind < FOREST_KINDS; kind++) {
         create_part(&scene->kinds[kind], &scene->forest.kinds[kind]);
         glBindBuffer(GL_ARRAY_BUFFER, scene->instances);
-        attribute(3, 4, stride, offsetof(struct forest_tree, place), 1);
-        attribute(4, 3, stride, offsetof(struct forest_tree, turn), 1);
+        attribute(3, 4, stride, offsetof(struct instance, tree.place), 1);
+        attribute(4, 3, stride, offsetof(struct instance, tree.turn), 1);
+        number_attribute(5, stride, offsetof(struct instance, view));
     }
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+static void set_sky(GLuint program)
+{
+    glUseProgram(program);
+    glUniform3fv(glGetUniformLocation(program, "sun"), 1, shading_sun);
+    /* The backdrop's own ground lies above every eye, where it is not drawn. */
+    glUniform3f(glGetUniformLocation(program, "center"), 0, 1e9f, 0);
+    glUniform3f(glGetUniformLocation(program, "half_size"), 1, 1, 1);
+    glUniform1f(glGetUniformLocation(program, "grid_step"), 1);
+    glUseProgram(0);
 }
 
 static bool create_programs(struct forest_scene *scene, const struct scene_wishes *wishes,
@@ -198,20 +222,23 @@ static bool create_programs(struct forest_scene *scene, const struct scene_wishe
     const struct shading_lamps lamps = {
         .radius = 700, .lowest = 0.15, .light = 0.45, .bump_size = 0.3f, .smoothest = 0.55f};
 
-    scene->program =
-        shading_program_create("forest", shader_forest_vert, shader_forest_frag,
-                               shader_sunlight_glsl, &lamps, wishes, message, message_size);
-    scene->backdrop =
-        program_create("backdrop", shader_rays_vert, shader_backdrop_frag, message, message_size);
-    if (!scene->program || !scene->backdrop)
+    static const char *const varyings[] = {"vec3 surface_place", "vec3 surface_normal",
+                                           "vec3 surface_base"};
+    const struct program_source source = {.name = "forest",
+                                          .vertex = shader_forest_vert,
+                                          .varyings = varyings,
+                                          .varying_count = 3,
+                                          .functions = shader_sunlight_glsl,
+                                          .fragment = shader_forest_frag};
+
+    if (!shading_programs_create(&scene->programs, &source, &lamps, wishes, message,
+                                 message_size) ||
+        !scene_backdrop_create(&scene->backdrop, "backdrop", shader_backdrop_frag, wishes->way,
+                               message, message_size))
         return false;
-    glUseProgram(scene->backdrop);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "sun"), 1, shading_sun);
-    /* The backdrop's own ground lies above every eye, where it is not drawn. */
-    glUniform3f(glGetUniformLocation(scene->backdrop, "center"), 0, 1e9f, 0);
-    glUniform3f(glGetUniformLocation(scene->backdrop, "half_size"), 1, 1, 1);
-    glUniform1f(glGetUniformLocation(scene->backdrop, "grid_step"), 1);
-    glUseProgram(0);
+    set_sky(scene->backdrop.one_view);
+    if (wishes->way)
+        set_sky(scene->backdrop.all_views);
     return true;
 }
 
@@ -249,7 +276,7 @@ static bool create_room(struct forest_scene *scene, const struct scene_wishes *w
     for (int kind = 0; kind < FOREST_KINDS; kind++)
         if (forest->tree_count[kind] > most)
             most = forest->tree_count[kind];
-    scene->seen = malloc((size_t)most * sizeof *scene->seen);
+    scene->seen = malloc((size_t)most * (wishes->way ? CUPOLA_VIEWS_MAX : 1) * sizeof *scene->seen);
     return scene->seen != NULL;
 }
 

@@ -10,7 +10,6 @@
 
 #include "demo_shaders.h"
 #include "model.h"
-#include "program.h"
 #include "scene_matrix.h"
 #include "shading.h"
 #include "short_path.h"
@@ -18,29 +17,31 @@
 struct model_scene {
     struct scene scene;
     struct model *model;
-    GLuint program;
-    GLuint backdrop;     /* program; 0 where drawn flat */
-    GLuint vertex_array; /* of the model */
-    GLuint no_vertices;  /* vertex array without any attribute, for the backdrop */
+    struct scene_programs programs;
+    struct scene_programs backdrop; /* 0 where drawn flat */
+    GLuint vertex_array;            /* of the model */
+    GLuint no_vertices;             /* vertex array without any attribute, for the backdrop */
     GLuint vertices;
     GLuint indices;
     GLuint *pictures; /* one per picture of the model; 0: none */
 };
 
-static void draw_backdrop(const struct model_scene *scene, const float basis[9], const float eye[3])
+static void draw_backdrop(const struct model_scene *scene, const struct scene_camera *camera)
 {
+    GLuint program = scene_program(&scene->backdrop, camera);
+
     glDisable(GL_DEPTH_TEST);
-    glUseProgram(scene->backdrop);
-    glUniformMatrix3fv(glGetUniformLocation(scene->backdrop, "ray_basis"), 1, GL_FALSE, basis);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "eye"), 1, eye);
+    glUseProgram(program);
+    if (!scene_set_camera(program, camera) || !scene_set_rays(program, camera, true, NULL))
+        return;
     glBindVertexArray(scene->no_vertices);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
 }
 
-static void draw_batches(const struct model_scene *scene)
+static void draw_batches(const struct model_scene *scene, GLuint program, int views)
 {
-    GLint vertex_colored = glGetUniformLocation(scene->program, "vertex_colored");
-    GLint pictured = glGetUniformLocation(scene->program, "pictured");
+    GLint vertex_colored = glGetUniformLocation(program, "vertex_colored");
+    GLint pictured = glGetUniformLocation(program, "pictured");
     glActiveTexture(GL_TEXTURE0);
     for (int i = 0; i < scene->model->batch_count; i++) {
         const struct model_batch *batch = &scene->model->batches[i];
@@ -48,8 +49,8 @@ static void draw_batches(const struct model_scene *scene)
         glUniform1i(vertex_colored, batch->vertex_colored);
         glUniform1i(pictured, picture != 0);
         glBindTexture(GL_TEXTURE_2D, picture);
-        glDrawElements(GL_TRIANGLES, (GLsizei)batch->count, GL_UNSIGNED_INT,
-                       (const void *)((size_t)batch->first * sizeof(uint32_t)));
+        glDrawElementsInstanced(GL_TRIANGLES, (GLsizei)batch->count, GL_UNSIGNED_INT,
+                                (const void *)((size_t)batch->first * sizeof(uint32_t)), views);
     }
     glBindTexture(GL_TEXTURE_2D, 0);
 }
@@ -57,40 +58,33 @@ static void draw_batches(const struct model_scene *scene)
 static void model_scene_draw(struct scene *base, const struct scene_camera *camera)
 {
     struct model_scene *scene = (struct model_scene *)base;
-    double clip[16], basis[9], eye[3];
-    float matrix[16], float_basis[9], float_eye[3];
-    scene_clip_from_world(camera, clip);
-    if (!scene_rays(clip, basis, eye))
-        return;
-    scene_to_float(clip, 16, matrix);
-    scene_to_float(basis, 9, float_basis);
-    scene_to_float(eye, 3, float_eye);
+    GLuint program = scene_program(&scene->programs, camera);
+    int views = scene_view_count(camera);
 
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (scene->backdrop)
-        draw_backdrop(scene, float_basis, float_eye);
+    if (scene->backdrop.one_view)
+        draw_backdrop(scene, camera);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);
-    glUseProgram(scene->program);
-    glUniformMatrix4fv(glGetUniformLocation(scene->program, "clip_from_world"), 1, GL_FALSE,
-                       matrix);
-    glUniform3fv(glGetUniformLocation(scene->program, "eye"), 1, float_eye);
+    glUseProgram(program);
+    if (!scene_set_camera(program, camera))
+        return;
     glBindVertexArray(scene->vertex_array);
-    draw_batches(scene);
+    draw_batches(scene, program, views);
     glBindVertexArray(0);
     glUseProgram(0);
-    base->drawn.triangles += base->whole.triangles;
-    base->drawn.instances += base->whole.instances;
+    base->drawn.triangles += views * base->whole.triangles;
+    base->drawn.instances += views * base->whole.instances;
 }
 
 static void model_scene_destroy(struct scene *base)
 {
     struct model_scene *scene = (struct model_scene *)base;
-    glDeleteProgram(scene->program);
-    glDeleteProgram(scene->backdrop);
+    scene_programs_destroy(&scene->programs);
+    scene_programs_destroy(&scene->backdrop);
     glDeleteVertexArrays(1, &scene->vertex_array);
     glDeleteVertexArrays(1, &scene->no_vertices);
     glDeleteBuffers(1, &scene->vertices);
@@ -180,7 +174,7 @@ static double round_step(double radius)
     return power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
 }
 
-static void set_backdrop(struct model_scene *scene)
+static void set_backdrop(const struct model_scene *scene, GLuint program)
 {
     const struct model *model = scene->model;
     float center[3], half_size[3] = {0};
@@ -188,12 +182,11 @@ static void set_backdrop(struct model_scene *scene)
     for (uint32_t i = 0; i < model->vertex_count; i++)
         for (int k = 0; k < 3; k++)
             half_size[k] = fmaxf(half_size[k], fabsf(model->vertices[i].position[k] - center[k]));
-    glUseProgram(scene->backdrop);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "center"), 1, center);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "half_size"), 1, half_size);
-    glUniform3fv(glGetUniformLocation(scene->backdrop, "sun"), 1, shading_sun);
-    glUniform1f(glGetUniformLocation(scene->backdrop, "grid_step"),
-                (float)round_step(scene->scene.radius));
+    glUseProgram(program);
+    glUniform3fv(glGetUniformLocation(program, "center"), 1, center);
+    glUniform3fv(glGetUniformLocation(program, "half_size"), 1, half_size);
+    glUniform3fv(glGetUniformLocation(program, "sun"), 1, shading_sun);
+    glUniform1f(glGetUniformLocation(program, "grid_step"), (float)round_step(scene->scene.radius));
     glUseProgram(0);
 }
 
@@ -216,21 +209,31 @@ static bool create_programs(struct model_scene *scene, const struct scene_wishes
                                         .radius = 1.8 * radius,
                                         .lowest = 0.1,
                                         .bump_size = (float)(radius / 20)};
-    scene->program =
-        shading_program_create("model", shader_model_vert, shader_model_frag, shader_sunlight_glsl,
-                               &lamps, wishes, message, message_size);
-    if (!scene->program)
+    static const char *const varyings[] = {"vec3 surface_place", "vec3 surface_normal",
+                                           "flat vec3 surface_base", "vec3 surface_color",
+                                           "vec2 surface_texcoord"};
+    const struct program_source source = {.name = "model",
+                                          .vertex = shader_model_vert,
+                                          .varyings = varyings,
+                                          .varying_count = 5,
+                                          .functions = shader_sunlight_glsl,
+                                          .fragment = shader_model_frag};
+    if (!shading_programs_create(&scene->programs, &source, &lamps, wishes, message, message_size))
         return false;
-    glUseProgram(scene->program);
-    glUniform1i(glGetUniformLocation(scene->program, "picture"), 0);
+    const GLuint made[2] = {scene->programs.one_view, scene->programs.all_views};
+    for (int i = 0; i < 2 && made[i]; i++) {
+        glUseProgram(made[i]);
+        glUniform1i(glGetUniformLocation(made[i], "picture"), 0);
+    }
     glUseProgram(0);
     if (wishes->shading == SCENE_FLAT)
         return true;
-    scene->backdrop =
-        program_create("backdrop", shader_rays_vert, shader_backdrop_frag, message, message_size);
-    if (!scene->backdrop)
+    if (!scene_backdrop_create(&scene->backdrop, "backdrop", shader_backdrop_frag, wishes->way,
+                               message, message_size))
         return false;
-    set_backdrop(scene);
+    set_backdrop(scene, scene->backdrop.one_view);
+    if (wishes->way)
+        set_backdrop(scene, scene->backdrop.all_views);
     return true;
 }
 

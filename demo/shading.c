@@ -53,22 +53,36 @@ static void set_lamps(GLuint program, const struct shading_lamps *lamps, int cou
                 lamps->smoothest > 0 ? lamps->smoothest : 0.25f);
 }
 
-unsigned int shading_program_create(const char *name, const char *vertex, const char *fragment,
-                                    const char *lambert, const struct shading_lamps *lamps,
-                                    const struct scene_wishes *wishes, char *message,
-                                    size_t message_size)
+static bool create(int way, unsigned int *program, const struct program_source *source,
+                   const struct shading_lamps *lamps, const struct scene_wishes *wishes,
+                   char *message, size_t message_size)
 {
-    const char *const shaded[] = {shader_flat_glsl, lambert, shader_heavy_glsl};
+    const char *const shaded[] = {shader_flat_glsl, source->functions, shader_heavy_glsl};
+    struct program_source lit = *source;
     int count = wishes->lamps ? wishes->lamps : SCENE_LAMPS;
-    GLuint program =
-        program_create_of(name, vertex, shaded[wishes->shading], fragment, message, message_size);
 
-    if (!program)
-        return 0;
-    glUseProgram(program);
-    glUniform3fv(glGetUniformLocation(program, "sun"), 1, shading_sun);
+    lit.functions = shaded[wishes->shading];
+    *program = program_create_of(way, &lit, message, message_size);
+    if (!*program)
+        return false;
+    glUseProgram(*program);
+    glUniform3fv(glGetUniformLocation(*program, "sun"), 1, shading_sun);
     if (wishes->shading == SCENE_HEAVY)
-        set_lamps(program, lamps, count < 0 ? 0 : count, wishes->smooth);
+        set_lamps(*program, lamps, count < 0 ? 0 : count, wishes->smooth);
     glUseProgram(0);
-    return program;
+    return true;
+}
+
+bool shading_programs_create(struct scene_programs *programs, const struct program_source *source,
+                             const struct shading_lamps *lamps, const struct scene_wishes *wishes,
+                             char *message, size_t message_size)
+{
+    *programs = (struct scene_programs){0, 0};
+    if (create(0, &programs->one_view, source, lamps, wishes, message, message_size) &&
+        (!wishes->way ||
+         create(wishes->way, &programs->all_views, source, lamps, wishes, message, message_size)))
+        return true;
+    scene_programs_destroy(programs);
+    *programs = (struct scene_programs){0, 0};
+    return false;
 }

@@ -2,7 +2,7 @@
 #ifndef SHADING_H
 #define SHADING_H
 
-#include "scene.h"
+#include "scene_views.h"
 
 /* Where a scene's lamps hang: evenly over a sphere, from `lowest` up to its top, 1. */
 struct shading_lamps {
@@ -18,14 +18,13 @@ struct shading_lamps {
 extern const float shading_sun[3];
 
 /*
- * `fragment` has no #version and calls vec3 shaded(vec3 base, vec3 place, vec3 normal, vec3 eye),
- * all in the world, the normal as interpolated on the side that is seen. `lambert` is that function
- * for SCENE_LAMBERT. Its uniforms are set; `eye` is the caller's. 0 with one line in `message` on
- * failure.
+ * The source's fragment shader has no #version and calls vec3 shaded(vec3 base, vec3 place, vec3
+ * normal, vec3 eye), all in the world, the normal as interpolated on the side that is seen. Its
+ * `functions` is that function for SCENE_LAMBERT. Uniforms are set; `eye` is the caller's. False
+ * with one line in `message`, and nothing made.
  */
-unsigned int shading_program_create(const char *name, const char *vertex, const char *fragment,
-                                    const char *lambert, const struct shading_lamps *lamps,
-                                    const struct scene_wishes *wishes, char *message,
-                                    size_t message_size);
+bool shading_programs_create(struct scene_programs *programs, const struct program_source *source,
+                             const struct shading_lamps *lamps, const struct scene_wishes *wishes,
+                             char *message, size_t message_size);
 
 #endif

@@ -10,6 +10,7 @@
 
 #include "grid.h"
 #include "perspective.h"
+#include "submission.h"
 #include "target.h"
 #include "view_wishes.h"
 
@@ -189,26 +190,23 @@ static void eye_places(const struct show *show, const struct host_camera *camera
 }
 
 static bool draw_views(struct show *show, const struct show_frame *frame, const float host[16],
-                       double near_distance, double far_distance, struct cupola_error *error)
+                       const double eye[3], double near_distance, double far_distance,
+                       struct cupola_error *error)
 {
-    struct cupola_frame begin =
+    const struct cupola_frame begin =
         view_wishes_frame(&show->setup, frame->scene, near_distance, far_distance);
-    struct cupola_gl_view view;
-    int views;
+    const struct submission submission = {.gl = show->gl,
+                                          .plan = show->plan,
+                                          .dome = show_dome(show),
+                                          .one_pass = show->setup.one_pass,
+                                          .scene = frame->scene,
+                                          .grid = frame->grid};
+    const struct scene_camera camera = {
+        .host = host, .reversed_depth = show->setup.reversed_depth, .eye = eye};
+    bool drawn = submission_draw(&submission, &begin, camera, error);
 
-    views = cupola_gl_frame_begin(show->gl, &begin, error);
-    for (int i = 0; i < views; i++) {
-        if (cupola_gl_view_begin(show->gl, i, &view, error) < 0)
-            return false;
-        frame->scene->draw(frame->scene,
-                           &(struct scene_camera){&view.camera, host, show->setup.reversed_depth});
-        if (frame->grid)
-            grid_draw(frame->grid, show_dome(show), cupola_plan_view(show->plan, i));
-        if (cupola_gl_view_end(show->gl, error) < 0)
-            return false;
-    }
     view_wishes_done(&show->setup);
-    return views >= 0;
+    return drawn;
 }
 
 /* The opening of the lens spans the diameter of the image circle, as it does on the dome. */
@@ -347,7 +345,7 @@ static bool draw_scene(struct show *show, const struct show_frame *frame,
     eye_places(show, frame->camera, eye, world);
     scene_range_update(frame->range, frame->scene, world, &near_distance, &far_distance);
     if (show->setup.mode != SHOW_PERSPECTIVE)
-        return draw_views(show, frame, host, near_distance, far_distance, error);
+        return draw_views(show, frame, host, world, near_distance, far_distance, error);
     draw_perspective(show, frame, host, eye, near_distance, far_distance);
     return true;
 }

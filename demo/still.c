@@ -40,6 +40,7 @@ static int create(struct still *still, const struct options *options,
     status = world_create(&still->world, options, &setup->rig, news, message);
     if (status != STATUS_OK)
         return status;
+    mine.one_pass = still->world.way != 0;
     mine.floats |= still->world.scene && still->world.scene->needs_float;
     if (!marks_create(&still->marks, options->marks, options->mark_count, message))
         return STATUS_FAILED;

@@ -30,6 +30,7 @@ struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
         .encoding = view_wishes_encoding(setup),
         .sources = 1u << (unsigned int)setup->source,
         .overlays = setup->overlays,
+        .one_pass = setup->one_pass && setup->source == CUPOLA_SOURCE_VIEWS,
     };
 }
 

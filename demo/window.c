@@ -160,12 +160,13 @@ static int create(struct window *window, const struct options *options, FILE *ne
         return status;
     if (!film_output_check_files(options, window->world.film, NULL, message))
         return STATUS_FAILED;
+    window->setup.one_pass = window->world.way != 0;
     window->setup.floats |= window->world.scene && window->world.scene->needs_float;
     window->setup.overlays = true; /* the mouse's cursor */
     if (!marks_create(&window->marks, options->marks, options->mark_count, message))
         return STATUS_FAILED;
     window->overlay = overlay_create(message, MESSAGE_SIZE);
-    window->grid = window->overlay ? grid_create(message, MESSAGE_SIZE) : NULL;
+    window->grid = window->overlay ? grid_create(window->world.way, message, MESSAGE_SIZE) : NULL;
     if (!window->grid)
         return STATUS_FAILED;
     if (!window_change(window, &window->setup)) {

@@ -23,20 +23,35 @@ int world_check_camera(const struct options *options, char *message)
     return place_camera(options, options->camera.value, &camera, message);
 }
 
+/* A geometry shader costs more than it saves, so that it must be wished for. */
+static int choose_way(const struct options *options)
+{
+    struct cupola_error error = {0};
+    int way = options->show || options->submission == SUBMISSION_LOOP ? 0 : cupola_pass_way(&error);
+
+    if (options->submission == SUBMISSION_ONCE && way < 0)
+        fprintf(stderr, "cupola-demo: --submission once: %s; the views are drawn one by one\n",
+                error.message);
+    if (way < 0 || (options->submission == SUBMISSION_AUTO && way != CUPOLA_PASS_VERTEX))
+        return 0;
+    return way;
+}
+
 static struct scene *create_scene(const struct options *options, const struct cupola_rig *rig,
-                                  char *message)
+                                  int way, char *message)
 {
     double c = cos(rig->tilt_rad), s = sin(rig->tilt_rad);
     const double camera_to_dome[9] = {1, 0, 0, 0, c, s, 0, -s, c}; /* R_x(-tilt) */
-    const struct scene_wishes wishes = options_scene_wishes(options);
+    struct scene_wishes wishes = options_scene_wishes(options);
 
+    wishes.way = way;
     if (options->model)
         return scene_model_create(options->model, &wishes, message, MESSAGE_SIZE);
     switch (options->scene) {
     case SCENE_DIRECTIONS:
-        return scene_directions_create(message, MESSAGE_SIZE);
+        return scene_directions_create(way, message, MESSAGE_SIZE);
     case SCENE_SCREEN:
-        return scene_screen_create(camera_to_dome, rig->eye_m, rig->screen.radius_m, message,
+        return scene_screen_create(camera_to_dome, rig->eye_m, rig->screen.radius_m, way, message,
                                    MESSAGE_SIZE);
     case SCENE_FOREST:
         return scene_forest_create(&wishes, message, MESSAGE_SIZE);
@@ -51,11 +66,11 @@ int world_create(struct world *world, const struct options *options, const struc
     int status;
     const double *place = options->camera.value;
 
-    *world = (struct world){.up = {0, 1, 0}};
+    *world = (struct world){.up = {0, 1, 0}, .way = choose_way(options)};
     if (options->show)
         world->film = film_create(options, message);
     else
-        world->scene = create_scene(options, rig, message);
+        world->scene = create_scene(options, rig, world->way, message);
     if (!world->scene && !world->film)
         return STATUS_FAILED;
     if (options->model && !options->camera.given) {

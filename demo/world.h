@@ -14,11 +14,12 @@ struct world {
     struct film *film;   /* shown instead of a scene; NULL: none */
     struct host_camera camera;
     double up[3]; /* world */
+    int way;      /* of enum cupola_pass_way: views are drawn in one pass; 0: one by one */
 };
 
 /*
  * Loads or makes the scene and places the camera; a place that was chosen for a MODEL is printed to
- * `news`. STATUS_OK, or another status with one line in message (MESSAGE_SIZE bytes) and nothing
+ * `news`, and that views cannot be drawn in one pass, which was asked for, to stderr. STATUS_OK, or another status with one line in message (MESSAGE_SIZE bytes) and nothing
  * made. Runs where a GL context is current.
  */
 int world_create(struct world *world, const struct options *options, const struct cupola_rig *rig,

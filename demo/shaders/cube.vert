@@ -1,7 +1,4 @@
-#version 330 core
 // The walls of the cube room.
-
-uniform mat4 clip_from_world;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 texcoord; // the third is the face
@@ -16,5 +13,5 @@ void main()
     wall_place = position;
     wall_texcoord = texcoord;
     wall_inward = inward;
-    gl_Position = clip_from_world * vec4(position, 1.0);
+    place_vertex(vec4(position, 1.0), view_index());
 }

@@ -1,13 +1,11 @@
-#version 330 core
-// Trees: one mesh, many instances. The ground is an instance, too.
-
-uniform mat4 clip_from_world;
+// Trees: one mesh, many instances, each in one view. The ground is an instance in each view, too.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 base;
 layout(location = 3) in vec4 place_size; // world
 layout(location = 4) in vec3 turn_tint;  // cosine and sine of a turn round the trunk; 0 to 1
+layout(location = 5) in int in_view;
 
 out vec3 surface_place;
 out vec3 surface_normal;
@@ -24,5 +22,5 @@ void main()
     surface_place = place_size.xyz + place_size.w * turned(position);
     surface_normal = turned(normal);
     surface_base = base * mix(vec3(0.75, 0.85, 0.95), vec3(1.35, 1.15, 0.75), turn_tint.z);
-    gl_Position = clip_from_world * vec4(surface_place, 1.0);
+    place_vertex(vec4(surface_place, 1.0), in_view);
 }

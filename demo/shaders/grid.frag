@@ -2,10 +2,9 @@
 // Lines on the screen sphere: every 15 degrees off the dome's axis and round it; stronger at every
 // 45 degrees, and red at 90 degrees off the axis.
 
-in vec2 place;
+in vec3 dome_ray;
 out vec4 color;
 
-uniform mat3 rays; // from places to rays, dome frame
 uniform vec3 eye_m;
 uniform float radius_m;
 
@@ -24,7 +23,7 @@ float line(float angle_deg, float step_deg, float width_px)
 
 void main()
 {
-    vec3 ray = normalize(rays * vec3(place, 1.0));
+    vec3 ray = normalize(dome_ray);
     float along = dot(eye_m, ray);
     float t = sqrt(max(along * along - dot(eye_m, eye_m) + radius_m * radius_m, 0.0)) - along;
     vec3 point = eye_m + t * ray;

@@ -1,7 +1,4 @@
-#version 330 core
 // A model's surface, in world coordinates.
-
-uniform mat4 clip_from_world;
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -22,5 +19,5 @@ void main()
     surface_base = base;
     surface_color = vertex_color;
     surface_texcoord = texcoord;
-    gl_Position = clip_from_world * vec4(position, 1.0);
+    place_vertex(vec4(position, 1.0), view_index());
 }

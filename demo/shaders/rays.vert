@@ -1,14 +1,13 @@
-#version 330 core
 // One triangle that covers the view, and the ray of every place in it: linear in x and y, so it
 // may be interpolated.
 
-uniform mat3 ray_basis;
+uniform mat3 ray_basis[VIEWS];
 
 out vec3 ray;
 
 void main()
 {
     vec2 place = vec2(float((gl_VertexID & 1) * 4 - 1), float((gl_VertexID >> 1) * 4 - 1));
-    ray = ray_basis * vec3(place, 1.0);
-    gl_Position = vec4(place, 0.0, 1.0);
+    ray = ray_basis[view_index()] * vec3(place, 1.0);
+    cover_view(vec4(place, 0.0, 1.0), view_index());
 }

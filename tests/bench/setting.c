@@ -75,7 +75,7 @@ struct scene *setting_scene(const struct load *load, char *message)
     if (load->kind == SCENE_FOREST)
         return scene_forest_create(&load->wishes, message, MESSAGE_SIZE);
     if (load->kind == SCENE_DIRECTIONS)
-        return scene_directions_create(message, MESSAGE_SIZE);
+        return scene_directions_create(load->wishes.way, message, MESSAGE_SIZE);
     return scene_cube_create(&load->wishes, message, MESSAGE_SIZE);
 }
 
