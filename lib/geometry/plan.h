@@ -9,6 +9,7 @@
  *   plan_cost      what a candidate costs, on the samples
  *   plan_families  where the search for rotated views begins: rings
  *   plan_spread    the same where rings will not do
+ *   plan_meetings  the corners of what falls to a view
  *   plan_search    the search, for rotated views
  *   plan_make      which layouts and numbers of views are searched
  *   plan_strips    one plane divided into views: the asymmetric layout
@@ -22,6 +23,7 @@
 #ifndef PLAN_PRIVATE_H
 #define PLAN_PRIVATE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "angle.h"
@@ -144,12 +146,21 @@ struct plan_sample {
     double reach_rad;   /* half of the width of the part that it stands for */
 };
 
+/* Samples along the edge of what is lit of an output, in order, the last beside the first. */
+struct plan_edge {
+    int first, count;
+};
+
 struct plan_samples {
     int count, capacity;
+    struct plan_edge edges[CUPOLA_OUTPUTS_MAX]; /* for the rig's eye */
+    int edge_count;                             /* 0: not known */
     struct plan_sample *list;
     double pixels;   /* the sum of all weights */
     double mean[3];  /* unit length */
     double half_rad; /* the largest angle of a ray to the mean */
+    /* Samples at a view's corners lie inside of it: what its width is short of, about. */
+    double short_px;
 };
 
 /* Makes a sample of a ray of any length. */
@@ -157,6 +168,9 @@ void plan_sample_of(const struct varying *ray, struct plan_sample *sample);
 
 /* What it stands for: pixels, and the pixels' solid angle as a multiple of the sample's own. */
 void plan_sample_weigh(struct plan_sample *sample, double weight, double spread);
+/* Up to this many times as many rings are tried where little of an image circle is lit. */
+enum { PLAN_RINGS_MORE = 2 };
+
 /* Adds samples in rings to a list that has room for them; false, and none, if they do not suit. */
 bool plan_rings_add(const cupola_dome *dome, const double eye_m[3], int rings,
                     struct plan_samples *samples);
@@ -193,131 +207,16 @@ void plan_footprint(const double rotation[9], const struct plan_sample *sample,
 struct plan_metric plan_enclose(struct plan_metric *footprints, int count);
 /* The same for views that may not roll: X is diagonal. */
 struct plan_metric plan_enclose_upright(const struct plan_metric *footprints, int count);
+/* The least diagonal one round X in axes that are turned by an angle from right to up. */
+struct plan_metric plan_enclose_rolled(const struct plan_metric *x, double angle);
 /* The largest eigenvalue of X^-1 G: above 1 where G sticks out of X. */
 double plan_excess(const struct plan_metric *x, const struct plan_metric *g);
-/* Turns right and up of a rotation onto the axes of a metric, which becomes diagonal. */
-void plan_roll_onto(struct plan_metric *x, double rotation[9], double turn[2]);
+/* The angle from right to up of the longer axis of a metric. */
+double plan_roll_of(const struct plan_metric *x);
+/* Turns right and up of a rotation by an angle from right to up. */
+void plan_roll_by(double angle, double rotation[9]);
 
-/* What is known of a view before it is fitted. */
-struct plan_candidate {
-    double axis[3];     /* unit length */
-    double selector[3]; /* the ray falls to the view of the largest product */
-};
-
-/* What is minimised. */
-struct plan_prices {
-    double density;   /* texels per pixel along a line */
-    double guard_px;  /* texels */
-    double view;      /* of a view, in shaded texels */
-    double vertices;  /* of all vertices round the eye once, in shaded texels */
-    double allocated; /* of a texel that is allocated, shaded or not */
-    bool unmasked;    /* the whole rectangle is shaded */
-    /* Of the largest angle between a view's axis and a sample that falls to it, cosine. */
-    double reach_cosine;
-};
-
-/* What a view comes to on the samples. */
-struct plan_view_fit {
-    double rotation[9];
-    double density[2];   /* texels per unit along u and v */
-    double core[4];      /* left, right, bottom, top */
-    double shaded;       /* texels, guard band included */
-    double rect;         /* texels allocated */
-    double drawn;        /* solid angle of the objects drawn into it, sr */
-    double out_of_reach; /* 0, or by how much a ray lies beyond 80 degrees, in cosines */
-    int samples;         /* that fall to it */
-};
-
-/* The view that a sample falls to, the next best, and the first one's part of the sample. */
-struct plan_member {
-    int view, next;
-    double product, next_product; /* with their selectors */
-    double part;                  /* 1/2 on the border between them, to 1 */
-    double shared;                /* of it, what objects reach across the border into the next */
-};
-
-/* A candidate and all that was found out about it. */
-struct plan_state {
-    int count;
-    const double *orientation; /* of all views, which may not roll; NULL: each its own */
-    struct plan_candidate views[CUPOLA_VIEWS_MAX];
-    struct plan_view_fit fits[CUPOLA_VIEWS_MAX];
-    double shaded, rect;         /* texels */
-    double drawn_cost;           /* of objects, in shaded texels */
-    double cost;                 /* PLAN_IMPOSSIBLE and more where it will not do */
-    struct plan_member *members; /* of each sample */
-};
-
-#define PLAN_IMPOSSIBLE 1e15
-
-/* Room for footprints while a view is fitted; one per search. */
-struct plan_scratch {
-    struct plan_metric *footprints;
-    double (*base)[2];
-};
-
-bool plan_state_create(int samples, struct plan_state *state);
-void plan_state_release(struct plan_state *state);
-void plan_state_copy(const struct plan_state *from, int samples, struct plan_state *to);
-bool plan_scratch_create(int samples, struct plan_scratch *scratch);
-void plan_scratch_release(struct plan_scratch *scratch);
-
-/* Finds out about a candidate whose count, orientation and views are set. */
-void plan_evaluate(const struct plan_samples *samples, const struct plan_prices *prices,
-                   struct plan_scratch *scratch, struct plan_state *state);
-/* The same where only view `changed` differs from what is known of it. */
-void plan_reevaluate(const struct plan_samples *samples, const struct plan_prices *prices,
-                     struct plan_scratch *scratch, int changed, struct plan_state *state);
-/* Some orientation that looks along an axis. */
-void plan_look_along(const double axis[3], double rotation[9]);
-
-/* Views in rings round the mean seen direction, see plan_families.c. */
-struct plan_family {
-    int rings;
-    int views[3]; /* from the mean direction outwards */
-    int count;
-    double phase; /* 0 or 1: the outermost ring begins at the right or half a view further */
-};
-
-enum { PLAN_FAMILIES_MAX = 96 };
-
-int plan_families(int least_views, int most_views, double half_rad,
-                  struct plan_family families[PLAN_FAMILIES_MAX]);
-/* Places a family's views on the samples; selectors are their axes. False: no memory. */
-bool plan_family_place(const struct plan_family *family, const struct plan_samples *samples,
-                       struct plan_state *state);
-
-/* Moves axes so that no sample is far from one; selectors are the axes. */
-void plan_spread_out(const struct plan_samples *samples, struct plan_state *state);
-/* Places views so, from the mean direction on. */
-void plan_spread_place(const struct plan_samples *samples, int views, struct plan_state *state);
-
-/* Views that a search found. */
-struct plan_choice {
-    enum cupola_layout layout;
-    int count; /* 0: none */
-    struct {
-        double rotation[9], selector[3];
-    } views[CUPOLA_VIEWS_MAX];
-    char family[CUPOLA_FAMILY_MAX];
-    double drawn_cost; /* of objects, its part of: */
-    double cost;       /* in shaded texels; PLAN_IMPOSSIBLE and more: some rays are out of reach */
-};
-
-enum { PLAN_CHOICES = 4 };
-
-/* What a search looks at. */
-struct plan_question {
-    const struct plan_samples *coarse, *fine;
-    struct plan_prices prices;
-    int least_views, most_views;
-};
-
-/* Inserts in order of cost; of equals the first one stays first. */
-void plan_choice_insert(struct plan_choice choices[PLAN_CHOICES], const struct plan_choice *next);
-/* Insert what they find. CUPOLA_OK or CUPOLA_ERROR_MEMORY. */
-int plan_search(const struct plan_question *question, struct plan_choice choices[PLAN_CHOICES]);
-int plan_strips(const struct plan_question *question, struct plan_choice choices[PLAN_CHOICES]);
+#include "plan_search.h"
 
 /* What the exact fit of a view says. */
 struct plan_exact_view {
@@ -326,6 +225,7 @@ struct plan_exact_view {
     double extent[2];    /* of the largest core, for every eye */
     double density[2];   /* texels per unit of the base plane, along u and v */
     double area;         /* of the base plane that its pixels cover */
+    double likely_area;  /* the same, by the search */
     double farthest_rad; /* the largest angle between its axis and a ray that falls to it */
     double least;        /* texels per pixel along a line, over all pixels, directions and eyes */
 };
@@ -342,7 +242,8 @@ struct plan_exact {
  * CUPOLA_OK, CUPOLA_ERROR_LAYOUT where a ray is out of reach after all, CUPOLA_ERROR_MEMORY.
  */
 int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
-                   const struct cupola_plan_params *params, bool sampled, struct plan_exact *exact);
+                   const struct plan_prices *prices, double head_radius_m, bool sampled,
+                   struct plan_exact *exact);
 
 /* The edge of the lit part of all outputs. CUPOLA_OK or CUPOLA_ERROR_MEMORY. */
 int plan_outline_trace(const cupola_dome *dome, struct plan_outline *outline);

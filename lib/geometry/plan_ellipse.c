@@ -238,18 +238,26 @@ struct plan_metric plan_enclose_upright(const struct plan_metric *footprints, in
     return (struct plan_metric){p, 0, least_q(footprints, count, 1, p)};
 }
 
-void plan_roll_onto(struct plan_metric *x, double rotation[9], double turn[2])
+double plan_roll_of(const struct plan_metric *x)
 {
-    double angle = 0.5 * atan2(2 * x->uv, x->uu - x->vv);
-    double mean = 0.5 * (x->uu + x->vv), half = hypot(0.5 * (x->uu - x->vv), x->uv);
-    double c = cos(angle), s = sin(angle), right[3], up[3];
+    return 0.5 * atan2(2 * x->uv, x->uu - x->vv);
+}
+
+void plan_roll_by(double angle, double rotation[9])
+{
+    double c = cos(angle), s = sin(angle);
     for (int i = 0; i < 3; i++) {
-        right[i] = c * rotation[i] + s * rotation[3 + i];
-        up[i] = c * rotation[3 + i] - s * rotation[i];
+        double right = rotation[i], up = rotation[3 + i];
+        rotation[i] = c * right + s * up;
+        rotation[3 + i] = c * up - s * right;
     }
-    memcpy(rotation, right, sizeof right);
-    memcpy(rotation + 3, up, sizeof up);
-    *x = (struct plan_metric){mean + half, 0, larger(mean - half, 0)};
-    turn[0] = c;
-    turn[1] = s;
+}
+
+struct plan_metric plan_enclose_rolled(const struct plan_metric *x, double angle)
+{
+    double c = cos(angle), s = sin(angle);
+    double uu = c * c * x->uu + 2 * c * s * x->uv + s * s * x->vv;
+    double vv = s * s * x->uu - 2 * c * s * x->uv + c * c * x->vv;
+    double uv = fabs(c * s * (x->vv - x->uu) + (c * c - s * s) * x->uv), ratio = sqrt(uu / vv);
+    return (struct plan_metric){uu + uv * ratio, 0, vv + uv / ratio};
 }

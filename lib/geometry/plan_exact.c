@@ -31,6 +31,9 @@ static const double edge_range = 0.5;
 /* A corner this far off an axis has no place on the base plane to speak of. */
 static const double flat_cosine = 0.03;
 
+/* No place of a cell is farther from a corner than half of the diagonal, in sizes; with a margin. */
+static const double far_from_corner = 0.8;
+
 /* `near` has the same place or, near the rim, half a pixel inside: slopes may be infinite there. */
 static void measure_gaps(const struct fitting *fitting, const struct plan_sample *near,
                          struct plan_corner *corner)
@@ -50,6 +53,8 @@ static void measure_gaps(const struct fitting *fitting, const struct plan_sample
         double across = dot3(other, near->dx) - mine_x, up = dot3(other, near->dy) - mine_y;
         corner->gap[v] = products[own] - products[v];
         corner->slope[v] = sqrt(across * across + up * up);
+        corner->across[v] = across;
+        corner->up[v] = up;
     }
 }
 
@@ -167,6 +172,33 @@ static void learn(struct fitting *fitting, const struct reading *reading, int v,
     }
 }
 
+/* Whether view v may have a larger product than view w at some place in a cell. */
+static bool may_beat(const struct plan_square *cell, int v, int w)
+{
+    double steepest = 0, most = -HUGE_VAL;
+    for (int i = 0; i < 4; i++) {
+        const struct plan_corner *corner = cell->corners[i];
+        double across = corner->across[v] - corner->across[w];
+        double up = corner->up[v] - corner->up[w];
+        steepest = larger(steepest, across * across + up * up);
+        most = larger(most, corner->gap[w] - corner->gap[v]);
+    }
+    return most >= 0 || most >= -far_from_corner * cell->size_px * sqrt(steepest);
+}
+
+/*
+ * Of the views that a cell meets, without those that another one surely beats: of two that look
+ * nearly the same way both are near to a third at its border.
+ */
+static unsigned drop_beaten(unsigned met, const struct plan_square *cell)
+{
+    for (int v = 0; v < CUPOLA_VIEWS_MAX; v++)
+        for (int w = 0; w < CUPOLA_VIEWS_MAX && met >> v & 1; w++)
+            if (w != v && met >> w & 1 && !may_beat(cell, v, w))
+                met &= ~(1u << v);
+    return met;
+}
+
 /* The views that some place in a cell may fall to. */
 static unsigned views_met(const struct fitting *fitting, const struct plan_square *cell)
 {
@@ -177,11 +209,10 @@ static unsigned views_met(const struct fitting *fitting, const struct plan_squar
             slope = larger(slope, cell->corners[i]->slope[v]);
             gap = smaller(gap, cell->corners[i]->gap[v]);
         }
-        /* No place is farther from a corner than half of the diagonal. */
-        if (gap <= 0.8 * cell->size_px * slope)
+        if (gap <= far_from_corner * cell->size_px * slope)
             met |= 1u << v;
     }
-    return met;
+    return met & (met - 1) ? drop_beaten(met, cell) : met;
 }
 
 static void divide_cell(struct fitting *fitting, const struct plan_square *cell)

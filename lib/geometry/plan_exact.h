@@ -9,13 +9,15 @@ struct plan_corner {
     struct plan_sample ray;
     /* By how much the selector's product is below the largest, and the change of that per pixel. */
     double gap[CUPOLA_VIEWS_MAX], slope[CUPOLA_VIEWS_MAX];
-    double inside_px; /* of what is lit */
+    double across[CUPOLA_VIEWS_MAX], up[CUPOLA_VIEWS_MAX]; /* the slope's parts */
+    double inside_px;                                      /* of what is lit */
 };
 
 /* What is known so far. */
 struct fitting {
     const cupola_dome *dome;
     struct plan_exact *exact;
+    const struct plan_prices *prices;
     bool upright; /* views do not roll */
     bool sampled; /* views that no pixel samples are left out */
     double eye_m[3];

@@ -116,67 +116,74 @@ static bool collect(struct fitting *fitting, const struct image_grid *grids, int
     return serves;
 }
 
-/* Where roll makes no difference to the texels that pixels sample, it may to the rectangle. */
-static double smallest_roll(const struct footprints *found)
+/* Left, right, bottom, top of where rays meet the base plane, rolled. */
+static void rolled_bounds(const struct footprints *found, double angle, double bounds[4])
 {
-    enum { ROLLS = 24 };
-    double best = 0, least = HUGE_VAL;
+    double c = cos(angle), s = sin(angle);
+    bounds[0] = bounds[2] = HUGE_VAL;
+    bounds[1] = bounds[3] = -HUGE_VAL;
+    for (int k = 0; k < found->count; k++) {
+        double u = c * found->base[k][0] + s * found->base[k][1];
+        double w = c * found->base[k][1] - s * found->base[k][0];
+        bounds[0] = smaller(bounds[0], u);
+        bounds[1] = larger(bounds[1], u);
+        bounds[2] = smaller(bounds[2], w);
+        bounds[3] = larger(bounds[3], w);
+    }
+}
+
+/* The metric's own roll, or the one of least cost where others may be better. */
+static double cheapest_roll(const struct fitting *fitting, const struct footprints *found,
+                            const struct plan_metric *x, double area)
+{
+    enum { ROLLS = 4 * PLAN_ROLLS };
+    double own = plan_roll_of(x), best = own, least = HUGE_VAL;
+    if (!plan_rolls_freely(fitting->prices, x))
+        return own;
     for (int i = 0; i < ROLLS; i++) {
-        double c = cos(0.5 * pi * i / ROLLS), s = sin(0.5 * pi * i / ROLLS);
-        double bounds[4] = {HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL};
-        for (int k = 0; k < found->count; k++) {
-            double u = c * found->base[k][0] + s * found->base[k][1];
-            double w = c * found->base[k][1] - s * found->base[k][0];
-            bounds[0] = smaller(bounds[0], u);
-            bounds[1] = larger(bounds[1], u);
-            bounds[2] = smaller(bounds[2], w);
-            bounds[3] = larger(bounds[3], w);
-        }
-        double area = (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]);
-        if (area < 0.999 * least) {
-            least = area;
-            best = 0.5 * pi * i / ROLLS;
+        double angle = own + 0.5 * pi * i / ROLLS;
+        struct plan_metric d = plan_enclose_rolled(x, angle);
+        struct plan_view_fit fit = {.area = area,
+                                    .density = {fitting->prices->density * sqrt(d.uu),
+                                                fitting->prices->density * sqrt(d.vv)}};
+        rolled_bounds(found, angle, fit.core);
+        plan_price_view(fitting->prices, PLAN_WHOLE_PX, &fit);
+        if (fit.cost < 0.999 * least) {
+            least = fit.cost;
+            best = angle;
         }
     }
     return best;
 }
 
-/* Turns a rotation by an angle from right to up. */
-static void roll_by(double angle, double rotation[9])
+/* Footprints as the view sees them once it is rolled. */
+static void roll_footprints(double angle, struct footprints *found)
 {
     double c = cos(angle), s = sin(angle);
-    for (int i = 0; i < 3; i++) {
-        double right = rotation[i], up = rotation[3 + i];
-        rotation[i] = c * right + s * up;
-        rotation[3 + i] = c * up - s * right;
+    for (int i = 0; i < found->count; i++) {
+        struct plan_metric *g = &found->metrics[i], was = *g;
+        g->uu = c * c * was.uu + 2 * c * s * was.uv + s * s * was.vv;
+        g->vv = s * s * was.uu - 2 * c * s * was.uv + c * c * was.vv;
+        g->uv = c * s * (was.vv - was.uu) + (c * c - s * s) * was.uv;
     }
 }
 
 /* Roll, metric and the beginning of the rectangle. */
-static void begin_view(struct fitting *fitting, double density, int v, struct footprints *found)
+static void begin_view(struct fitting *fitting, int v, struct footprints *found)
 {
-    static const double round = 1.004;
     struct plan_exact_view *view = &fitting->exact->views[v];
     struct plan_metric *x = &fitting->metric[v];
-    double turn[2];
-    if (fitting->upright) {
-        *x = plan_enclose_upright(found->metrics, found->count);
-    } else {
-        *x = plan_enclose(found->metrics, found->count);
-        struct plan_metric rolled = *x;
-        double rotation[9];
-        memcpy(rotation, view->rotation, sizeof rotation);
-        plan_roll_onto(&rolled, rotation, turn);
-        if (rolled.uu < round * rolled.vv) {
-            roll_by(smallest_roll(found), view->rotation);
-            rolled.vv = rolled.uu;
-        } else {
-            memcpy(view->rotation, rotation, sizeof rotation);
-        }
-        *x = rolled;
+    if (!fitting->upright) {
+        struct plan_metric free_x = plan_enclose(found->metrics, found->count);
+        double roll = cheapest_roll(fitting, found, &free_x, view->likely_area);
+        plan_roll_by(roll, view->rotation);
+        roll_footprints(roll, found);
+        *x = plan_enclose_rolled(&free_x, roll);
     }
-    fitting->density[v][0] = density * sqrt(x->uu);
-    fitting->density[v][1] = density * sqrt(x->vv);
+    if (fitting->upright || plan_rolls_freely(fitting->prices, x))
+        *x = plan_enclose_upright(found->metrics, found->count);
+    fitting->density[v][0] = fitting->prices->density * sqrt(x->uu);
+    fitting->density[v][1] = fitting->prices->density * sqrt(x->vv);
     fitting->excess[v] = 1;
     fitting->least_cosine[v] = 1;
 }
@@ -237,7 +244,7 @@ static void drop_view(struct plan_exact *exact, int v)
 }
 
 /* The rig's own eye. Returns the index of a view that no pixel falls to, or the number of views. */
-static int fit_middle(struct fitting *fitting, double density, const struct image_grid *grids,
+static int fit_middle(struct fitting *fitting, const struct image_grid *grids,
                       struct footprints *found)
 {
     begin_cores(fitting);
@@ -245,13 +252,13 @@ static int fit_middle(struct fitting *fitting, double density, const struct imag
         bool serves = collect(fitting, grids, v, found);
         if (found->count == 0 || (fitting->sampled && !serves && fitting->exact->count > 1))
             return v;
-        begin_view(fitting, density, v, found);
+        begin_view(fitting, v, found);
     }
     visit_grids(fitting, grids);
     return fitting->exact->count;
 }
 
-static int begin_fit(struct fitting *fitting, double density)
+static int begin_fit(struct fitting *fitting)
 {
     enum { CELLS = 96 };
     struct image_grid grids[CUPOLA_OUTPUTS_MAX] = {{.corners = NULL}};
@@ -263,7 +270,7 @@ static int begin_fit(struct fitting *fitting, double density)
         found.base = malloc(corners * sizeof *found.base);
     }
     if (found.metrics && found.base) {
-        empty = fit_middle(fitting, density, grids, &found);
+        empty = fit_middle(fitting, grids, &found);
         status = CUPOLA_OK;
     }
     if (status == CUPOLA_OK && empty < fitting->exact->count) {
@@ -324,7 +331,7 @@ static double reach_between(double middle, double others)
     return middle + between_eyes * larger(others - middle, 0);
 }
 
-static void conclude(const struct fitting *fitting, const struct demand *demand, double density,
+static void conclude(const struct fitting *fitting, const struct demand *demand,
                      struct plan_exact *exact)
 {
     for (int v = 0; v < exact->count; v++) {
@@ -337,17 +344,18 @@ static void conclude(const struct fitting *fitting, const struct demand *demand,
                                                demand->extent[v][axis]);
         }
         view->farthest_rad = acos(fitting->least_cosine[v]);
-        view->least = density * sqrt(metric_margin);
+        view->least = fitting->prices->density * sqrt(metric_margin);
     }
 }
 
 int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
-                   const struct cupola_plan_params *params, bool sampled, struct plan_exact *exact)
+                   const struct plan_prices *prices, double head_radius_m, bool sampled,
+                   struct plan_exact *exact)
 {
-    double density = params->density;
     struct demand demand = {.excess = {0}};
     struct fitting fitting = {.dome = dome,
                               .exact = exact,
+                              .prices = prices,
                               .upright = choice->layout == CUPOLA_LAYOUT_ASYMMETRIC,
                               .sampled = sampled};
     int status = 1;
@@ -357,16 +365,17 @@ int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
                sizeof exact->views[v].rotation);
         memcpy(exact->views[v].selector, choice->views[v].selector,
                sizeof exact->views[v].selector);
+        exact->views[v].likely_area = choice->views[v].area;
     }
     memcpy(fitting.eye_m, dome->rig.eye_m, sizeof fitting.eye_m);
     while (status == 1)
-        status = begin_fit(&fitting, density);
+        status = begin_fit(&fitting);
     struct fitting middle = fitting;
-    if (status == CUPOLA_OK && params->head_radius_m > 0)
-        status = fit_other_eyes(&fitting, params->head_radius_m, &demand);
+    if (status == CUPOLA_OK && head_radius_m > 0)
+        status = fit_other_eyes(&fitting, head_radius_m, &demand);
     for (int v = 0; v < exact->count; v++)
         middle.least_cosine[v] = smaller(middle.least_cosine[v], fitting.least_cosine[v]);
     if (status == CUPOLA_OK)
-        conclude(&middle, &demand, density, exact);
+        conclude(&middle, &demand, exact);
     return status;
 }

@@ -59,7 +59,7 @@ static struct plan_question ask(const struct planning *planning, enum cupola_lay
  * Fits the cheapest choice for which there is an exact fit. `sampled`: without the views that no
  * pixel samples; an image of a few pixels may need them to reach all of what a pixel covers.
  */
-static int fit_cheapest(struct planning *planning, bool sampled)
+static int fit_cheapest(struct planning *planning, const struct plan_prices *prices, bool sampled)
 {
     int status = CUPOLA_ERROR_LAYOUT;
     for (int i = 0; i < PLAN_CHOICES && status == CUPOLA_ERROR_LAYOUT; i++) {
@@ -67,8 +67,8 @@ static int fit_cheapest(struct planning *planning, bool sampled)
         if (choice->count == 0 || !(choice->cost < PLAN_IMPOSSIBLE))
             break;
         planning->chosen = i;
-        status =
-            plan_exact_fit(planning->dome, choice, &planning->params, sampled, &planning->exact);
+        status = plan_exact_fit(planning->dome, choice, prices, planning->params.head_radius_m,
+                                sampled, &planning->exact);
     }
     return status;
 }
@@ -86,8 +86,8 @@ static int solve_within(struct planning *planning, enum cupola_layout layout, in
         status = plan_search(&question, planning->choices);
     if (status != CUPOLA_OK)
         return status;
-    status = fit_cheapest(planning, true);
-    return status == CUPOLA_ERROR_LAYOUT ? fit_cheapest(planning, false) : status;
+    status = fit_cheapest(planning, &question.prices, true);
+    return status == CUPOLA_ERROR_LAYOUT ? fit_cheapest(planning, &question.prices, false) : status;
 }
 
 int planning_solve(struct planning *planning, enum cupola_layout layout, int views)

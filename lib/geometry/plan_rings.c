@@ -44,32 +44,40 @@ static double lit_radius(const cupola_dome *dome, const double eye_m[3], int out
     return low;
 }
 
+/* Rings of an output, out to where the farthest of its image is lit. */
+struct rings {
+    const cupola_dome *dome;
+    const double *eye_m;
+    int output, count;
+    double outer_px;
+};
+
 /*
  * The solid angle of a ring, at the lens, over what the slope in its middle says: near the rim of a
  * hemispheric lens of 180 degrees the slope is infinite.
  */
-static double ring_spread(const struct projector *projector, int ring, int rings)
+static double ring_spread(const struct rings *rings, int ring)
 {
+    const struct projector *projector = &rings->dome->projectors[rings->output];
     const struct lens *lens = &projector->lens;
-    double r = (ring + 0.5) / rings, middle = lens_angle(lens, r);
-    double inner = lens_angle(lens, (double)ring / rings);
-    double outer = lens_angle(lens, (ring + 1.0) / rings);
-    double by_slope = sin(middle) * lens_angle_slope(lens, r, middle) / rings;
+    double width = rings->outer_px / projector->radius_px / rings->count;
+    double r = (ring + 0.5) * width, middle = lens_angle(lens, r);
+    double inner = lens_angle(lens, ring * width), outer = lens_angle(lens, (ring + 1) * width);
+    double by_slope = sin(middle) * lens_angle_slope(lens, r, middle) * width;
     double exact = cos(inner) - cos(outer);
     return by_slope > 0.1 * exact ? exact / by_slope : 1;
 }
 
-/* Returns how many of the ring's samples are lit. */
-static int add_ring(const cupola_dome *dome, const double eye_m[3], int output, int ring, int rings,
-                    struct plan_samples *samples)
+/* Adds the lit samples of a ring; returns their number. */
+static int add_ring(const struct rings *rings, int ring, struct plan_samples *samples)
 {
-    const struct projector *projector = &dome->projectors[output];
-    double radius = projector->radius_px, weight = pi * radius * radius / (3.0 * rings * rings);
-    double spread = ring_spread(projector, ring, rings);
+    double weight = pi * rings->outer_px * rings->outer_px / (3.0 * rings->count * rings->count);
+    double spread = ring_spread(rings, ring);
+    double r_px = rings->outer_px * (ring + 0.5) / rings->count;
     int lit = 0;
     for (int i = 0; i < 6 * ring + 3; i++) {
         double azimuth = 2 * pi * (i + 0.25) / (6 * ring + 3);
-        if (!add_place(dome, eye_m, output, radius * (ring + 0.5) / rings, azimuth, samples))
+        if (!add_place(rings->dome, rings->eye_m, rings->output, r_px, azimuth, samples))
             continue;
         plan_sample_weigh(&samples->list[samples->count - 1], weight, weight * spread);
         lit++;
@@ -77,23 +85,54 @@ static int add_ring(const cupola_dome *dome, const double eye_m[3], int output, 
     return lit;
 }
 
-bool plan_rings_add(const cupola_dome *dome, const double eye_m[3], int rings,
+/* Adds samples without weight along the edge of what is lit. */
+static void add_edge(struct rings *rings, struct plan_samples *samples)
+{
+    struct plan_edge edge = {.first = samples->count};
+    int places = 6 * rings->count;
+    rings->outer_px = 0;
+    for (int i = 0; i < places; i++) {
+        double azimuth = 2 * pi * i / places;
+        double r_px = lit_radius(rings->dome, rings->eye_m, rings->output, azimuth);
+        rings->outer_px = larger(rings->outer_px, r_px);
+        if (add_place(rings->dome, rings->eye_m, rings->output, r_px, azimuth, samples))
+            plan_sample_weigh(&samples->list[samples->count - 1], 0, 0);
+    }
+    edge.count = samples->count - edge.first;
+    samples->edges[samples->edge_count++] = edge;
+}
+
+/* As many rings more as it takes to have samples enough; false where that would be too many. */
+static bool add_output(struct rings *rings, struct plan_samples *samples)
+{
+    int wanted = 2 * rings->count * rings->count, most = PLAN_RINGS_MORE * rings->count;
+    add_edge(rings, samples);
+    const int before = samples->count;
+    while (rings->outer_px > 0) {
+        int lit = 0;
+        samples->count = before;
+        for (int ring = 0; ring < rings->count; ring++)
+            lit += add_ring(rings, ring, samples);
+        if (lit >= wanted)
+            return true;
+        int next = (int)ceil(rings->count * 1.05 * sqrt(wanted / larger(lit, 1)));
+        if (next > most)
+            return false;
+        rings->count = next;
+    }
+    return false;
+}
+
+bool plan_rings_add(const cupola_dome *dome, const double eye_m[3], int count,
                     struct plan_samples *samples)
 {
     const int before = samples->count;
+    samples->edge_count = 0;
     for (int output = 0; output < dome->rig.output_count; output++) {
-        int lit = 0;
-        for (int ring = 0; ring < rings; ring++)
-            lit += add_ring(dome, eye_m, output, ring, rings, samples);
-        for (int i = 0; i < 6 * rings; i++) {
-            double azimuth = 2 * pi * i / (6 * rings);
-            double r_px = lit_radius(dome, eye_m, output, azimuth);
-            if (add_place(dome, eye_m, output, r_px, azimuth, samples))
-                plan_sample_weigh(&samples->list[samples->count - 1], 0, 0);
-        }
-        /* Too little of the circle is lit for rings to say much about it. */
-        if (lit < 2 * rings * rings) {
+        struct rings rings = {.dome = dome, .eye_m = eye_m, .output = output, .count = count};
+        if (!add_output(&rings, samples)) {
             samples->count = before;
+            samples->edge_count = 0;
             return false;
         }
     }

@@ -39,7 +39,8 @@ static void measure_cell(const struct plan_grid *grid, const struct plan_ray *co
 /* Room for every corner of the grids, or for all rings. */
 static bool make_room(const struct plan_rays *rays, int rings, struct plan_samples *samples)
 {
-    size_t more = (size_t)rays->count * (size_t)(3 * rings * rings + 6 * rings);
+    int most = PLAN_RINGS_MORE * rings;
+    size_t more = (size_t)rays->count * (size_t)(3 * most * most + 6 * rings);
     for (int g = 0; g < rays->count; g++)
         more += (size_t)(rays->grids[g].columns + 1) * (size_t)(rays->grids[g].rows + 1);
     size_t capacity = (size_t)samples->count + more;
@@ -113,11 +114,16 @@ static int gather_eye(const cupola_dome *dome, const double eye_m[3], int cells,
     if (status != CUPOLA_OK)
         return status;
     if (make_room(&rays, rings, samples)) {
+        struct plan_samples before_it = *samples;
         if (!plan_rings_add(dome, eye_m, rings, samples))
             for (int g = 0; g < rays.count; g++)
                 add_grid(&rays.grids[g], samples);
         for (int i = before; i < samples->count && !first; i++)
             plan_sample_weigh(&samples->list[i], 0, 0);
+        if (!first) {
+            memcpy(samples->edges, before_it.edges, sizeof samples->edges);
+            samples->edge_count = before_it.edge_count;
+        }
         if (first) {
             samples->pixels = rays.pixels;
             memcpy(samples->mean, rays.mean, sizeof samples->mean);
@@ -144,10 +150,20 @@ void plan_eye_place(const double middle_m[3], double radius_m, int index, double
         eye_m[i] = middle_m[i] + radius_m * to[i];
 }
 
+/* Of the samples that stand for pixels. */
+static double sample_spacing_px(const struct plan_samples *samples)
+{
+    int count = 0;
+    for (int i = 0; i < samples->count; i++)
+        count += samples->list[i].weight > 0;
+    return sqrt(samples->pixels / larger(count, 1));
+}
+
 int plan_samples_gather(const cupola_dome *dome, double head_radius_m, int cells,
                         struct plan_samples *samples, struct cupola_error *error)
 {
     enum { AXES = 7, CELLS_OF_OTHERS = 14 };
+    static const double of_spacing = 0.4;
     *samples = (struct plan_samples){.count = 0};
     int status = gather_eye(dome, dome->rig.eye_m, cells, true, samples, error);
     for (int i = 1; i < AXES && head_radius_m > 0 && status == CUPOLA_OK; i++) {
@@ -155,7 +171,10 @@ int plan_samples_gather(const cupola_dome *dome, double head_radius_m, int cells
         plan_eye_place(dome->rig.eye_m, head_radius_m, i, eye_m);
         status = gather_eye(dome, eye_m, CELLS_OF_OTHERS, false, samples, error);
     }
-    if (status != CUPOLA_OK)
+    if (status == CUPOLA_OK)
+        samples->short_px =
+            PLAN_WHOLE_PX + (samples->edge_count ? 0 : of_spacing * sample_spacing_px(samples));
+    else
         plan_samples_release(samples);
     return status;
 }

@@ -167,13 +167,20 @@ static void descend_views(struct search *search, double step, double stop, int m
 /* Beyond it rings may begin far from what they come to. */
 static const double wide_rad = 91 * (pi / 180);
 
-/* A family that begins this much dearer than the best one found is left out. */
-static double hopeless(const struct plan_samples *samples)
+/*
+ * A family that begins much dearer than the best one found is left out. Wide ones may begin with
+ * rays that are a little out of reach, and are moved out of that.
+ */
+static bool is_hopeless(const struct search *search, double least)
 {
-    return samples->half_rad < wide_rad ? 1.5 : 4;
+    static const double little = 1.4;
+    double cost = search->now.cost;
+    if (search->samples->half_rad < wide_rad)
+        return cost > 1.5 * least;
+    return cost > 4 * least && !(cost < little * PLAN_IMPOSSIBLE);
 }
 
-enum { FINALISTS = 3, MOVES_MAX = 150 };
+enum { FINALISTS = 6, MOVES_MAX = 150 };
 
 struct finalist {
     struct plan_family family;
@@ -191,6 +198,12 @@ static void insert_finalist(struct finalist finalists[FINALISTS], const struct f
             finalists[i] = moved;
             moved = worse;
         }
+}
+
+static void clear_finalists(struct finalist finalists[FINALISTS])
+{
+    for (int i = 0; i < FINALISTS; i++)
+        finalists[i] = (struct finalist){.cost = PLAN_IMPOSSIBLE * 1e3};
 }
 
 static void add_finalist(const struct search *search, const struct plan_family *family,
@@ -233,7 +246,7 @@ static bool run_families(struct search *search, const struct plan_question *ques
         int better;
         if (!place_better_phase(search, &families[f], &better))
             return false;
-        if (search->now.cost > hopeless(samples) * finalists[0].cost)
+        if (is_hopeless(search, finalists[0].cost))
             continue;
         const struct plan_family *family = &families[f + better];
         descend_rings(search, family, 0.12 * samples->half_rad, 0.03 * samples->half_rad);
@@ -266,8 +279,7 @@ static void run_spread(struct search *search, const struct plan_question *questi
 static bool run_all(struct search *search, const struct plan_question *question,
                     struct finalist finalists[FINALISTS])
 {
-    for (int i = 0; i < FINALISTS; i++)
-        finalists[i].cost = PLAN_IMPOSSIBLE * 1e3;
+    clear_finalists(finalists);
     if (!run_families(search, question, finalists))
         return false;
     if (search->samples->half_rad > wide_rad || !(finalists[0].cost < PLAN_IMPOSSIBLE))
@@ -275,27 +287,31 @@ static bool run_all(struct search *search, const struct plan_question *question,
     return true;
 }
 
-/*
- * Moves the rings of a finalist, then each view on its own. Where that gains little the rings stay
- * as they are: symmetric, and a gain of the size of what the samples leave open is none.
- */
-static void improve(struct search *search, const struct finalist *finalist)
+static void begin_at(const struct finalist *finalist, struct search *search)
 {
-    static const double worth_while = 1 - 5e-3;
-    const struct plan_family *family = &finalist->family;
-    double half = search->samples->half_rad, step = 0.12 * half / sqrt(family->count);
-    struct plan_candidate rings[CUPOLA_VIEWS_MAX];
-    search->now.count = family->count;
+    search->now.count = finalist->family.count;
     memcpy(search->now.views, finalist->views, sizeof finalist->views);
     evaluate(search, &search->now);
-    descend_rings(search, family, 0.03 * half, 0.006 * half);
-    double cost = search->now.cost;
-    memcpy(rings, search->now.views, sizeof rings);
+}
+
+static void keep_in(struct finalist *finalist, const struct search *search)
+{
+    memcpy(finalist->views, search->now.views, sizeof finalist->views);
+    finalist->cost = search->now.cost;
+}
+
+/*
+ * Moves each view of a finalist on its own. Where that gains little the rings stay as they are:
+ * symmetric, and a gain of the size of what the samples leave open is none.
+ */
+static void loosen(struct search *search, struct finalist *finalist)
+{
+    static const double worth_while = 1 - 5e-3;
+    double step = 0.12 * search->samples->half_rad / sqrt(finalist->family.count);
+    begin_at(finalist, search);
     descend_views(search, step, 0.25 * step, MOVES_MAX);
-    if (search->now.cost < worth_while * cost)
-        return;
-    memcpy(search->now.views, rings, sizeof rings);
-    evaluate(search, &search->now);
+    if (search->now.cost < worth_while * finalist->cost)
+        keep_in(finalist, search);
 }
 
 void plan_choice_insert(struct plan_choice choices[PLAN_CHOICES], const struct plan_choice *next)
@@ -328,22 +344,50 @@ static void conclude(const struct search *search, const struct plan_family *fami
     for (int v = 0; v < state->count; v++) {
         memcpy(choice.views[v].rotation, state->fits[v].rotation, sizeof choice.views[v].rotation);
         memcpy(choice.views[v].selector, state->views[v].selector, sizeof choice.views[v].selector);
+        choice.views[v].area = state->fits[v].area;
     }
     plan_choice_insert(choices, &choice);
 }
 
+static void sort_finalists(struct finalist finalists[FINALISTS])
+{
+    struct finalist sorted[FINALISTS];
+    clear_finalists(sorted);
+    for (int f = 0; f < FINALISTS; f++)
+        insert_finalist(sorted, &finalists[f]);
+    memcpy(finalists, sorted, sizeof sorted);
+}
+
+/* The finalists in smaller steps; the best of them are moved view by view. */
+static void run_finals(struct search *search, struct finalist finalists[FINALISTS],
+                       struct plan_choice choices[PLAN_CHOICES])
+{
+    enum { LOOSENED = 2 };
+    double half = search->samples->half_rad;
+    for (int f = 0; f < FINALISTS && finalists[f].family.count > 0; f++) {
+        begin_at(&finalists[f], search);
+        descend_rings(search, &finalists[f].family, 0.03 * half, 0.006 * half);
+        keep_in(&finalists[f], search);
+    }
+    sort_finalists(finalists);
+    for (int f = 0; f < FINALISTS && finalists[f].family.count > 0; f++) {
+        if (f < LOOSENED)
+            loosen(search, &finalists[f]);
+        begin_at(&finalists[f], search);
+        conclude(search, &finalists[f].family, choices);
+    }
+}
+
 int plan_search(const struct plan_question *question, struct plan_choice choices[PLAN_CHOICES])
 {
-    struct search first = {.evaluations = 0}, second = {.evaluations = 0};
+    struct search coarse = {.evaluations = 0}, fine = coarse;
     struct finalist finalists[FINALISTS];
-    bool done = search_create(question->coarse, &question->prices, &first) &&
-                search_create(question->fine, &question->prices, &second) &&
-                run_all(&first, question, finalists);
-    for (int f = 0; f < FINALISTS && done && finalists[f].cost < PLAN_IMPOSSIBLE * 1e3; f++) {
-        improve(&second, &finalists[f]);
-        conclude(&second, &finalists[f].family, choices);
-    }
-    search_release(&first);
-    search_release(&second);
+    bool done = search_create(question->coarse, &question->prices, &coarse) &&
+                search_create(question->fine, &question->prices, &fine) &&
+                run_all(&coarse, question, finalists);
+    if (done)
+        run_finals(&fine, finalists, choices);
+    search_release(&coarse);
+    search_release(&fine);
     return done ? CUPOLA_OK : CUPOLA_ERROR_MEMORY;
 }

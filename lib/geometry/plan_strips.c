@@ -104,7 +104,7 @@ int plan_strips(const struct plan_question *question, struct plan_choice choices
             return CUPOLA_OK;
     }
     struct plan_state state;
-    struct plan_scratch scratch = {NULL, NULL};
+    struct plan_scratch scratch = {.footprints = NULL};
     bool done =
         plan_state_create(samples->count, &state) && plan_scratch_create(samples->count, &scratch);
     for (int count = question->least_views; count <= question->most_views && done; count++)
