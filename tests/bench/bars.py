@@ -30,10 +30,11 @@ def times_as_fast(comparison, name):
 
 
 def eye_adds(comparison):
-    """What an eye that moves adds to a frame, in warps of one that rests."""
+    """What an eye that moves adds to a frame, warp and masks, in warps of one that rests."""
     table = comparison["table"]
-    rests, moves = median_ms(comparison, table), median_ms(comparison, f"{table}-moving")
-    return None if rests is None or moves is None else (moves - rests) / rests
+    names = (table, f"{table}-moving", "clear", "clear-moving")
+    times = [median_ms(comparison, one) for one in names]
+    return None if None in times else (times[1] - times[0] + times[3] - times[2]) / times[0]
 
 
 def fact(comparison, name, key):

@@ -54,6 +54,9 @@ extern const struct contender_kind contender_stage;
 extern const struct contender_kind contender_resting;
 extern const struct contender_kind contender_moved;
 extern const struct contender_kind contender_moving;
+/* What comes before the host draws, its views cleared and masked: at rest, and likewise. */
+extern const struct contender_kind contender_resting_clear;
+extern const struct contender_kind contender_moving_clear;
 /* The views of Cupola's own choice, and a warp that computes nothing. */
 extern const struct contender_kind contender_control;
 

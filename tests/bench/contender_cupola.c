@@ -159,14 +159,22 @@ static bool frames_warp(void *self)
     return cupola_gl_warp(frames->gl, 0, NULL, &target, NULL) >= 0;
 }
 
+static bool step(struct cupola_frames *frames)
+{
+    frames->eye_m[0] += frames->step_m;
+    frames->step_m = -frames->step_m;
+    return cupola_gl_set_eye(frames->gl, frames->eye_m, NULL) >= 0;
+}
+
 /* So short a step that the picture is that of the eye at rest; all follows as it would far off. */
 static bool moving_warp(void *self)
 {
-    struct cupola_frames *frames = self;
+    return step(self) && frames_warp(self);
+}
 
-    frames->eye_m[0] += frames->step_m;
-    frames->step_m = -frames->step_m;
-    return cupola_gl_set_eye(frames->gl, frames->eye_m, NULL) >= 0 && frames_warp(frames);
+static bool moving_clear(void *self)
+{
+    return step(self) && frames_clear(self);
 }
 
 static bool control_warp(void *self)
@@ -246,3 +254,7 @@ const struct contender_kind contender_cupola_views = {.prepare = views_prepare,
                                                       .release = frames_release};
 const struct contender_kind contender_cupola_warp = {
     .prepare = warp_prepare, .warp = frames_warp, .facts = frames_facts, .release = frames_release};
+const struct contender_kind contender_resting_clear = {
+    .prepare = head_prepare, .warp = frames_clear, .facts = part_facts, .release = frames_release};
+const struct contender_kind contender_moving_clear = {
+    .prepare = head_prepare, .warp = moving_clear, .facts = part_facts, .release = frames_release};

@@ -178,7 +178,7 @@ static bool eye_one(struct bench *bench, struct setting *setting)
     struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, 0}};
     int count = 1;
 
-    for (int i = 0; i < 10 && cupola_table_name(i); i++, count += 3) {
+    for (int i = 0; i < 9 && cupola_table_name(i); i++, count += 3) {
         struct contender *three = &contenders[count];
         three[0] = (struct contender){.kind = &contender_resting, .variant = i};
         three[1] = (struct contender){.kind = &contender_moved, .variant = i};
@@ -187,6 +187,10 @@ static bool eye_one(struct bench *bench, struct setting *setting)
         snprintf(three[1].name, sizeof three[1].name, "%.20s-moved", cupola_table_name(i));
         snprintf(three[2].name, sizeof three[2].name, "%.20s-moving", cupola_table_name(i));
     }
+    contenders[count++] =
+        (struct contender){"clear", &contender_resting_clear, CUPOLA_TABLE_POINTS};
+    contenders[count++] =
+        (struct contender){"clear-moving", &contender_moving_clear, CUPOLA_TABLE_POINTS};
     setting->off_axis = true;
     return load_find(bench->options.loads[0], &bench->options.wishes, setting->size_px,
                      &setting->load, bench->message) &&

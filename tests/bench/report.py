@@ -55,10 +55,15 @@ def heading(comparison):
 
 
 def moved(found):
-    """What a moved eye adds to the warp of each stage, in warps of that stage."""
-    added = [f"{name} {found[name + '-moving']['time_ms'][1] / rest['time_ms'][1] - 1:+.2f}"
-             for name, rest in found.items() if name + "-moving" in found]
-    return f" An eye that moved adds, in warps of the stage: {', '.join(added)}." if added else ""
+    """What a moved eye adds to the warp of each stage, in warps of that stage, and to clears."""
+    added = {name: found[name + "-moving"]["time_ms"][1] - rest["time_ms"][1]
+             for name, rest in found.items() if name + "-moving" in found}
+    warps = [f"{name} {more_ms / found[name]['time_ms'][1]:+.2f}"
+             for name, more_ms in added.items() if name != "clear"]
+    text = f" An eye that moved adds, in warps of the stage: {', '.join(warps)}." if warps else ""
+    if "clear" in added:
+        text += f" Clears and masks of its views: {added['clear']:+.2f} ms."
+    return text
 
 
 def in_short(comparison):
