@@ -2,9 +2,11 @@
 // LENS_... numbers, set by the program that includes this. asin and acos are avoided: some
 // implementations err by 4e-4 rad in them.
 
+#ifndef RIG_BAKED            // then they are constants
 uniform float lens_half_fov; // h, rad
 uniform float lens_scale;    // hemispheric sin h, equisolid sin(h/2), stereographic tan(h/2)
 uniform vec4 lens_k;         // polynomial, scaled to r = 1 at h
+#endif
 
 #if LENS_MODEL == LENS_TABLE
 uniform int lens_knot_count;

@@ -1,15 +1,22 @@
 // Points and rays of one output; lib/geometry/points.c says the same under the same names.
 
+#ifndef RIG_BAKED                // then they are constants
 uniform vec2 output_size;        // px
 uniform vec2 circle_center;      // px
-uniform float circle_radius;     // px
 uniform vec2 circle_sign;        // -1 where the picture is flipped
 uniform mat3 aim;                // Q, lens frame to dome frame
 uniform vec3 projector_position; // L, m, dome frame
 uniform float screen_radius;     // R, m
+uniform float screen_room;       // R^2 - L^2, m^2
 uniform float cap_cosine;        // below -1: no cap, and then CAPPED is 0
 uniform mat3 tilt;               // dome frame to the host's camera frame
-uniform vec3 eye;                // E, m, dome frame
+#endif
+#ifndef EYE_BAKED
+uniform vec3 eye; // E, m, dome frame
+#endif
+// Not a constant: compilers do not divide by one but multiply by its inverse, rounded, which steep
+// lenses show.
+uniform float circle_radius; // px
 
 // x and y in the image circle with r = 1 at the rim, and r; places beyond it come out on it. There
 // r is 1 to the last bit: at the rim of a hemispheric lens of 180 degrees 1e-7 of it are 0.03
@@ -44,8 +51,7 @@ Varying lens_ray(vec3 place)
 Varying screen_point(Varying ray)
 {
     float along = dot(projector_position, ray.at);
-    float root = sqrt(along * along - dot(projector_position, projector_position) +
-                      screen_radius * screen_radius);
+    float root = sqrt(along * along + screen_room);
     float t = root - along;
     float dt_dx = dot(projector_position, ray.dx) * (along / root - 1.0);
     float dt_dy = dot(projector_position, ray.dy) * (along / root - 1.0);

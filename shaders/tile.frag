@@ -1,18 +1,19 @@
-// The warp of a tile: the viewer's ray (choosing) or its place in the tile's view (pure) by the
-// polynomial of the points, or the border (dark).
+// The warp of a tile by the polynomial of the points: its place in the tile's view (pure) or in one
+// of its two views (pair), or the viewer's ray (choosing); or the border (dark).
 
-uniform vec2 target_corner; // of the output's image in the target, px
-#if TILE_KIND == TILE_DARK
-uniform vec4 border; // of pixels that are not lit
-#else
+#if TILE_KIND == TILE_DARK || GAIN
+flat in vec2 corner; // of the output's image in the target, px
+#endif
+#if TILE_KIND != TILE_DARK
 #if STORAGE == STORAGE_ATLAS
 uniform sampler2D atlas;
 #endif
-#if TILE_KIND == TILE_PURE
-flat in int view;
+#if TILE_KIND == TILE_PAIR
+flat in mat3 across;
+flat in vec3 lead;
 #endif
 flat in vec3 terms[10];
-flat in vec2 middle;
+flat in vec4 middle;
 
 vec3 tile_vector(vec2 p)
 {
@@ -26,12 +27,18 @@ out vec4 color;
 
 void main()
 {
-    vec2 pixel = gl_FragCoord.xy - target_corner;
 #if TILE_KIND == TILE_DARK
     vec4 light = border;
 #else
-    vec3 found = tile_vector(pixel - middle);
-#if TILE_KIND == TILE_PURE
+    vec3 found = tile_vector(gl_FragCoord.xy - middle.xy);
+#if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR
+#if TILE_KIND == TILE_PAIR
+    bool crossed = dot(lead, found) > 0.0;
+    found = crossed ? across * found : found;
+    int view = int(crossed ? middle.w : middle.z);
+#else
+    int view = int(middle.z);
+#endif
     vec2 place = found.xy * (1.0 / found.z);
 #elif STORAGE == STORAGE_ATLAS
     vec2 place = atlas_place(found);
@@ -45,5 +52,9 @@ void main()
     vec4 light = image_light(view, place);
 #endif
 #endif
-    color = pixel_color(light, pixel);
+#if TILE_KIND == TILE_DARK || GAIN
+    color = pixel_color(light, gl_FragCoord.xy - corner);
+#else
+    color = pixel_color(light, vec2(0.0));
+#endif
 }

@@ -1,11 +1,14 @@
 // A square tile of an output, drawn as a point; what there is of them is said in
-// lib/geometry/tiles.h.
+// lib/geometry/tiles.h. Whatever a fragment needs is the same all over the tile, and comes from
+// here: a software rasteriser reads a uniform anew for every pixel.
 
 layout(location = 0) in vec4 tile; // lower left corner and side, px; the view that it falls to
 
 uniform vec2 viewport_size; // px: whole tiles
+uniform vec2 target_corner; // of the output's image in the target, px
 
-#if TILE_KIND == TILE_PURE || TILE_KIND == TILE_CHOOSING
+flat out vec2 corner;
+#if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
 layout(location = 1) in vec3 term_1; // of D, in px from the tile's middle
 layout(location = 2) in vec3 term_x;
 layout(location = 3) in vec3 term_y;
@@ -17,29 +20,45 @@ layout(location = 8) in vec3 term_xxy;
 layout(location = 9) in vec3 term_xyy;
 layout(location = 10) in vec3 term_yyy;
 
+#ifndef EYE_BAKED
 uniform vec3 eye; // E, m, dome frame
-#if TILE_KIND == TILE_PURE
+#endif
+#if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR
 uniform mat3 tile_view[VIEW_COUNT]; // from dome frame to places in a view, homogeneous
-flat out int view;
-#else
+#elif !defined(RIG_BAKED)
 uniform mat3 tilt; // dome frame to the host's camera frame
 #endif
 
+#if TILE_KIND == TILE_PAIR
+layout(location = 11) in vec3 across_x; // columns: from places in the view to those in the other
+layout(location = 12) in vec3 across_y;
+layout(location = 13) in vec3 across_z;
+layout(location = 14) in vec4 other; // what is above 0 where the other view has it; that view
+
+flat out mat3 across;
+flat out vec3 lead;
+#endif
+
 flat out vec3 terms[10];
-flat out vec2 middle;
+flat out vec4 middle; // in the target, px; its views
 #endif
 
 void main()
 {
     gl_Position = vec4(2.0 * (tile.xy + 0.5 * tile.z) / viewport_size - 1.0, 0.0, 1.0);
     gl_PointSize = tile.z;
-#if TILE_KIND == TILE_PURE || TILE_KIND == TILE_CHOOSING
-    middle = tile.xy + 0.5 * tile.z;
-#if TILE_KIND == TILE_PURE
-    view = int(tile.w);
-    mat3 turn = tile_view[view];
-#else
+    corner = target_corner;
+#if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
+    middle = vec4(target_corner + tile.xy + 0.5 * tile.z, tile.w, tile.w);
+#if TILE_KIND == TILE_CHOOSING
     mat3 turn = tilt;
+#else
+    mat3 turn = tile_view[int(tile.w)];
+#endif
+#if TILE_KIND == TILE_PAIR
+    across = mat3(across_x, across_y, across_z);
+    lead = other.xyz;
+    middle.w = other.w;
 #endif
     terms[0] = turn * (term_1 - eye);
     terms[1] = turn * term_x;

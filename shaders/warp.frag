@@ -1,8 +1,7 @@
 // The warp: per output pixel, finds the viewer's ray, the view that it falls to and the texel that
 // it meets. STAGE says how much of that stands in a table.
 
-uniform vec2 target_corner; // of the output's image in the target, px
-uniform vec4 border;        // of pixels that are not lit
+flat in vec2 corner; // of the output's image in the target, px
 #if STORAGE == STORAGE_ATLAS
 uniform sampler2D atlas;
 #endif
@@ -14,7 +13,7 @@ out vec4 color;
 
 void main()
 {
-    vec2 pixel = gl_FragCoord.xy - target_corner;
+    vec2 pixel = gl_FragCoord.xy - corner;
 #if STAGE == STAGE_NONE
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);

@@ -97,8 +97,11 @@ static bool does(const cupola_plan *plan, struct tile_piece *piece, double x, do
     transform3(plan->dome.tilt, ray, ray);
     const struct cupola_view *view = &plan->views[view_select(plan->views, plan->view_count, ray)];
     tile_terms_at(piece->terms, half * x, half * y, found_m);
+    const double apart_m[3] = {found_m[0] - expected_m[0], found_m[1] - expected_m[1],
+                               found_m[2] - expected_m[2]};
     /* Half of what is allowed: between the places that are tried it may be more. */
-    return texel_of(plan, view, expected_m, expected) && texel_of(plan, view, found_m, found) &&
+    return length3(apart_m) < 0.5 * TILE_ERROR_RAD * length3(ray) &&
+           texel_of(plan, view, expected_m, expected) && texel_of(plan, view, found_m, found) &&
            hypot(found[0] - expected[0], found[1] - expected[1]) < 0.5 * TILE_ERROR_TEXELS;
 }
 

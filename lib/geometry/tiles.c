@@ -123,16 +123,24 @@ static bool grow_tiles(struct tiles *tiles, enum tile_kind kind, int wished)
     return grown;
 }
 
+static bool has_polynomial(int kind)
+{
+    return kind == TILE_PURE || kind == TILE_PAIR || kind == TILE_CHOOSING;
+}
+
 static bool add_tile(struct tiles *tiles, enum tile_kind kind, const struct tile_piece *piece,
-                     int view)
+                     const int views[2])
 {
     int index = tiles->count[kind];
     if (index == tiles->most[kind] && !grow_tiles(tiles, kind, 2 * index + 64))
         return false;
     struct tile *tile = &tiles->tiles[kind][index];
-    *tile = (struct tile){
-        (float)piece->x_px, (float)piece->y_px, (float)piece->side_px, (float)view, {{0}}};
-    if (kind == TILE_PURE || kind == TILE_CHOOSING)
+    *tile = (struct tile){.x_px = (float)piece->x_px,
+                          .y_px = (float)piece->y_px,
+                          .side_px = (float)piece->side_px,
+                          .view = (float)views[0],
+                          .other = (float)views[1]};
+    if (has_polynomial((int)kind))
         for (int k = 0; k < TILE_TERMS; k++)
             for (int i = 0; i < 3; i++)
                 tile->terms[k][i] = (float)piece->terms[k][i];
@@ -165,7 +173,7 @@ static bool cut_square(const cupola_plan *plan, struct tiles *tiles, int x_px, i
     if (kind == TILE_PURE)
         return add_piece(tiles, &piece);
     if (kind == TILE_DARK || side_px <= TILE_LEAST_PX)
-        return add_tile(tiles, kind, &piece, -1);
+        return add_tile(tiles, kind, &piece, (const int[2]){0, 0});
     int half = side_px / 2;
     bool done = true;
     for (int quarter = 0; done && quarter < 4; quarter++)
@@ -184,7 +192,7 @@ static bool cut_output(const cupola_plan *plan, struct tiles *tiles)
     return true;
 }
 
-/* Pieces being cut into pure and choosing tiles. */
+/* Pieces being cut into tiles by the views that their pixels fall to. */
 struct choice {
     const cupola_plan *plan;
     const struct cupola_output *size;
@@ -194,12 +202,15 @@ struct choice {
     bool growing, failed;
 };
 
-/* The view that all of a piece falls to; -1 if there is none. */
-static int view_of(const struct choice *choice, struct tile_piece *piece)
+/*
+ * The views that pixels of a piece may fall to: their number; `views` are the first two of them, of
+ * which the first has the middle.
+ */
+static int views_of(const struct choice *choice, struct tile_piece *piece, int views[2])
 {
     const double *eye = choice->plan->dome.rig.eye_m;
     double leads[CUPOLA_VIEWS_MAX][TILE_GRID_PLACES], half = 0.5 * piece->side_px;
-    int count = choice->plan->view_count, own = 0;
+    int count = choice->plan->view_count, own = 0, found = 1;
     for (int i = 0; i < TILE_GRID_PLACES; i++) {
         double ray[3];
         tile_terms_at(piece->terms, half * tile_grid_x(i), half * tile_grid_y(i), ray);
@@ -215,10 +226,16 @@ static int view_of(const struct choice *choice, struct tile_piece *piece)
         double lead[TILE_GRID_PLACES];
         for (int i = 0; i < TILE_GRID_PLACES; i++)
             lead[i] = leads[own][i] - leads[v][i];
-        if (v != own && !(range_of(lead, piece->side_px).least > 0))
-            return -1;
+        if (v == own || range_of(lead, piece->side_px).least > 0)
+            continue;
+        if (found == 1)
+            views[1] = v;
+        found++;
     }
-    return own;
+    views[0] = own;
+    if (found == 1)
+        views[1] = own;
+    return found;
 }
 
 /* Whether there is room for four in place of one, whatever they turn out to be. */
@@ -226,18 +243,20 @@ static bool has_room(const struct choice *choice)
 {
     const struct tiles *tiles = choice->tiles;
     int more = choice->pending + 4;
-    return choice->growing || (tiles->count[TILE_PURE] + more <= tiles->most[TILE_PURE] &&
-                               tiles->count[TILE_CHOOSING] + more <= tiles->most[TILE_CHOOSING]);
+    for (int kind = TILE_PURE; !choice->growing && kind <= TILE_CHOOSING; kind++)
+        if (tiles->count[kind] + more > tiles->most[kind])
+            return false;
+    return true;
 }
 
 static void choose(struct choice *choice, struct tile_piece *piece)
 {
     if (piece->x_px >= choice->size->width_px || piece->y_px >= choice->size->height_px)
         return;
-    int view = view_of(choice, piece);
-    if (view >= 0 || piece->side_px <= TILE_CHOOSING_PX || !has_room(choice)) {
-        choice->failed |=
-            !add_tile(choice->tiles, view >= 0 ? TILE_PURE : TILE_CHOOSING, piece, view);
+    int views[2], count = views_of(choice, piece, views);
+    if (count <= 2 || piece->side_px <= TILE_CHOOSING_PX || !has_room(choice)) {
+        enum tile_kind kind = count == 1 ? TILE_PURE : count == 2 ? TILE_PAIR : TILE_CHOOSING;
+        choice->failed |= !add_tile(choice->tiles, kind, piece, views);
         return;
     }
     for (int quarter = 0; quarter < 4; quarter++) {
@@ -258,7 +277,8 @@ static bool choose_all(const cupola_plan *plan, struct tiles *tiles, bool growin
                             .growing = growing};
     for (int v = 0; v < plan->view_count; v++)
         transform3_back(plan->dome.tilt, plan->views[v].selector, choice.selectors[v]);
-    tiles->count[TILE_PURE] = tiles->count[TILE_CHOOSING] = 0;
+    for (int kind = TILE_PURE; kind <= TILE_CHOOSING; kind++)
+        tiles->count[kind] = 0;
     for (int i = 0; i < tiles->piece_count; i++) {
         choice.pending--;
         choose(&choice, &tiles->pieces[i]);

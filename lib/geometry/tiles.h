@@ -3,7 +3,8 @@
  *
  *   pure     all of it is lit and falls to one view; the points of the screen are a cubic
  *            polynomial of the pixel's place
- *   choosing the same, but views border on each other in it
+ *   pair     the same, but two views border on each other in it
+ *   choosing the same, but more than two
  *   exact    rims, and where no polynomial would do: computed pixel by pixel
  *   dark     nothing of it is lit
  *
@@ -22,22 +23,28 @@
 #include "cupola/error.h"
 #include "plan.h"
 
-enum { TILE_MOST_PX = 64, TILE_CHOOSING_PX = 8, TILE_LEAST_PX = 8, TILE_TERMS = 10 };
+enum { TILE_MOST_PX = 128, TILE_CHOOSING_PX = 8, TILE_LEAST_PX = 8, TILE_TERMS = 10 };
 
 /* By which a pixel of a tile may miss its place in a view. */
 #define TILE_ERROR_TEXELS 0.002
+/* And its ray, where texels are coarse: no more than another table stage may. */
+#define TILE_ERROR_RAD 1e-5
 
-enum tile_kind { TILE_PURE, TILE_CHOOSING, TILE_EXACT, TILE_DARK, TILE_KINDS };
+enum tile_kind { TILE_PURE, TILE_PAIR, TILE_CHOOSING, TILE_EXACT, TILE_DARK, TILE_KINDS };
 
 /* As it goes to the GL. */
 struct tile {
     float x_px, y_px, side_px; /* lower left corner, in the output's image */
-    float view;                /* that all of a pure tile falls to */
+    float view;                /* that all of a pure tile falls to, or one of a pair's */
     /*
      * Of D in metres (dome frame), in px from the tile's middle: 1, x, y, x^2, xy, y^2, x^3, x^2 y,
      * x y^2, y^3. Exact and dark tiles have none.
      */
     float terms[TILE_TERMS][3];
+    /* Of a pair, for whoever draws it; not set here, but for its other view. */
+    float across[9];
+    float lead[3];
+    float other;
 };
 
 /* A square whose points have a polynomial, whatever the eye. */
@@ -65,7 +72,7 @@ int tiles_create(const cupola_plan *plan, int output, int most_px, struct tiles 
 void tiles_destroy(struct tiles *tiles);
 
 /*
- * Cuts pieces into pure and choosing tiles again, for a plan whose eye or views have changed since.
+ * Cuts pieces into pure, pair and choosing tiles again, for a plan whose eye or views have changed since.
  * Allocates nothing; where there is no room for more tiles, larger ones choose.
  */
 void tiles_refit(const cupola_plan *plan, struct tiles *tiles);

@@ -59,6 +59,18 @@ static inline void transpose3(const double m[9], double transposed[9])
     memcpy(transposed, t, sizeof t);
 }
 
+/* By cofactors; of a matrix that has an inverse. */
+static inline void invert3(const double m[9], double inverse[9])
+{
+    double columns[9], determinant;
+    cross3(m + 3, m + 6, columns);
+    cross3(m + 6, m, columns + 3);
+    cross3(m, m + 3, columns + 6);
+    determinant = dot3(m, columns);
+    for (int i = 0; i < 9; i++)
+        inverse[i] = columns[3 * (i % 3) + i / 3] / determinant;
+}
+
 static inline void rotation_x(double angle_rad, double m[9])
 {
     double c = cos(angle_rad), s = sin(angle_rad);

@@ -195,7 +195,7 @@ void tile_pass_destroy(struct tile_pass *pass);
 void tile_pass_refit(cupola_gl *gl, int output);
 
 /* The program of a kind of tiles, with `lines` of warp_lines. 0 on failure. */
-enum { TILE_LINES_MAX = 160 };
+enum { TILE_LINES_MAX = 192 };
 GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
                            struct cupola_error *error);
 

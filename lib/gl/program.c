@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "geometry/vector.h"
 #include "guest.h"
 #include "shaders.h"
 
@@ -191,6 +192,8 @@ void program_set_projector(GLuint program, const cupola_dome *dome, int output)
 {
     const struct projector *projector = &dome->projectors[output];
     const double size[2] = {projector->width_px, projector->height_px};
+    const double *position_m = projector->position_m, radius_m = projector->screen_radius_m;
+    const double room = radius_m * radius_m - dot3(position_m, position_m);
     const double cap_cosine = projector->capped ? projector->cap_cosine : -2;
     set_lens(program, &projector->lens);
     program_set_vector(program, "output_size", size, 2);
@@ -200,6 +203,7 @@ void program_set_projector(GLuint program, const cupola_dome *dome, int output)
     program_set_rotation(program, "aim", projector->aim);
     program_set_vector(program, "projector_position", projector->position_m, 3);
     program_set_vector(program, "screen_radius", &projector->screen_radius_m, 1);
+    program_set_vector(program, "screen_room", &room, 1);
     program_set_vector(program, "cap_cosine", &cap_cosine, 1);
     program_set_rotation(program, "tilt", dome->tilt);
     program_place_eye(glGetUniformLocation(program, "eye"), dome);

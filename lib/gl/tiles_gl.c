@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "constants.h"
 #include "error.h"
 #include "geometry/vector.h"
 #include "gl_objects.h"
@@ -16,16 +17,82 @@
 #include "program.h"
 #include "shaders.h"
 
-static const char *const kind_names[TILE_KINDS] = {"pure", "choosing", "exact", "dark"};
+static const char *const kind_names[TILE_KINDS] = {"pure", "pair", "choosing", "exact", "dark"};
+
+/*
+ * From the host's camera frame to a view, homogeneous: its first two rows by its third are the
+ * place in the view's base rectangle, or in the atlas.
+ */
+static void view_matrix(const cupola_plan *plan, const struct cupola_view *view, bool atlas,
+                        double matrix[9])
+{
+    const double size[2] = {view->left, view->bottom};
+    const double extent[2] = {view->right - view->left, view->top - view->bottom};
+    const double from[2] = {(double)view->rect.x / plan->report.atlas_width_px,
+                            (double)view->rect.y / plan->report.atlas_height_px};
+    const double share[2] = {(double)view->rect.width / plan->report.atlas_width_px,
+                             (double)view->rect.height / plan->report.atlas_height_px};
+    for (int k = 0; k < 3; k++) {
+        double depth = -view->rotation[6 + k];
+        for (int i = 0; i < 2; i++) {
+            double place = (view->rotation[3 * i + k] - size[i] * depth) / extent[i];
+            matrix[3 * i + k] = atlas ? from[i] * depth + share[i] * place : place;
+        }
+        matrix[6 + k] = depth;
+    }
+}
+
+/* From the dome frame to places in a view, homogeneous. */
+static void dome_to_view(const cupola_gl *gl, int view, double matrix[9])
+{
+    double rows[9];
+    view_matrix(&gl->plan, &gl->plan.views[view], gl->params.storage == CUPOLA_STORAGE_ATLAS, rows);
+    multiply3(rows, gl->plan.dome.tilt, matrix);
+}
+
+/* What a pair has besides: see shaders/tile.frag. */
+static void set_pair(const cupola_gl *gl, struct tile *tile)
+{
+    int own = (int)tile->view, other = (int)tile->other;
+    double from[9], to[9], back[9], across[9], apart[3], lead[3];
+    dome_to_view(gl, own, from);
+    dome_to_view(gl, other, to);
+    invert3(from, back);
+    multiply3(to, back, across);
+    for (int i = 0; i < 3; i++)
+        apart[i] = gl->plan.views[other].selector[i] - gl->plan.views[own].selector[i];
+    transform3_back(gl->plan.dome.tilt, apart, lead);
+    transform3_back(back, lead, apart);
+    for (int i = 0; i < 9; i++)
+        tile->across[i] = (float)across[3 * (i % 3) + i / 3];
+    for (int i = 0; i < 3; i++)
+        tile->lead[i] = (float)apart[i];
+}
+
+static void set_pairs(const cupola_gl *gl, struct tiles *tiles)
+{
+    for (int i = 0; i < tiles->count[TILE_PAIR]; i++)
+        set_pair(gl, &tiles->tiles[TILE_PAIR][i]);
+}
+
+static bool has_terms(int kind)
+{
+    return kind <= TILE_CHOOSING;
+}
 
 /* Of the vertex array that is bound: one tile for each vertex. */
-static void set_attributes(GLuint buffer, bool terms)
+static void set_attributes(GLuint buffer, int kind)
 {
+    enum { ACROSS = TILE_TERMS + 1, LEAD = ACROSS + 3 };
+    GLuint last = kind == TILE_PAIR ? LEAD : has_terms(kind) ? TILE_TERMS : 0;
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    for (GLuint i = 0; i <= (terms ? TILE_TERMS : 0); i++) {
-        size_t at = i ? offsetof(struct tile, terms) + (i - 1) * 3 * sizeof(float) : 0;
+    for (GLuint i = 0; i <= last; i++) {
+        size_t at = !i           ? 0
+                    : i < ACROSS ? offsetof(struct tile, terms) + (i - 1) * 3 * sizeof(float)
+                    : i < LEAD   ? offsetof(struct tile, across) + (i - ACROSS) * 3 * sizeof(float)
+                                 : offsetof(struct tile, lead);
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof(struct tile),
+        glVertexAttribPointer(i, !i || i == LEAD ? 4 : 3, GL_FLOAT, GL_FALSE, sizeof(struct tile),
                               (const void *)at);
     }
 }
@@ -34,16 +101,15 @@ static int create_kind(const cupola_gl *gl, int output, int kind, struct tile_pa
                        struct cupola_error *error)
 {
     const struct tiles *tiles = &pass->tiles;
-    bool terms = kind == TILE_PURE || kind == TILE_CHOOSING;
     glGenBuffers(1, &pass->buffers[kind]);
     if (!pass->buffers[kind])
         return gl_refused(glGetError(), error, "a buffer of tiles");
     pass->arrays[kind] = vertex_array_create(&gl->guest, "tiles", error);
     if (!pass->arrays[kind])
         return error->status;
-    set_attributes(pass->buffers[kind], terms);
+    set_attributes(pass->buffers[kind], kind);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->most[kind]),
-                 NULL, terms ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
+                 NULL, has_terms(kind) ? GL_DYNAMIC_DRAW : GL_STATIC_DRAW);
     glBufferSubData(GL_ARRAY_BUFFER, 0,
                     (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->count[kind]),
                     tiles->tiles[kind]);
@@ -76,6 +142,7 @@ int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
     int status = tiles_create(&gl->plan, output, most_px, &pass->tiles, error);
     if (status != CUPOLA_OK)
         return status;
+    set_pairs(gl, &pass->tiles);
     host_buffer_save(&host);
     for (int kind = 0; status == CUPOLA_OK && kind < TILE_KINDS; kind++)
         if (pass->tiles.most[kind])
@@ -92,39 +159,13 @@ void tile_pass_destroy(struct tile_pass *pass)
     *pass = (struct tile_pass){.buffers = {0}};
 }
 
-/*
- * From the dome frame to a view, homogeneous: its first two rows by its third are the place in the
- * view's base rectangle, or in the atlas if the views are there.
- */
-static void view_matrix(const cupola_plan *plan, const struct cupola_view *view, bool atlas,
-                        double matrix[9])
-{
-    const double *size[2] = {&view->left, &view->bottom};
-    const double extent[2] = {view->right - view->left, view->top - view->bottom};
-    const double from[2] = {(double)view->rect.x / plan->report.atlas_width_px,
-                            (double)view->rect.y / plan->report.atlas_height_px};
-    const double share[2] = {(double)view->rect.width / plan->report.atlas_width_px,
-                             (double)view->rect.height / plan->report.atlas_height_px};
-    double rows[9];
-    for (int k = 0; k < 3; k++) {
-        double depth = -view->rotation[6 + k];
-        for (int i = 0; i < 2; i++) {
-            double place = (view->rotation[3 * i + k] - *size[i] * depth) / extent[i];
-            rows[3 * i + k] = atlas ? from[i] * depth + share[i] * place : place;
-        }
-        rows[6 + k] = depth;
-    }
-    multiply3(rows, plan->dome.tilt, matrix);
-}
-
 /* From the dome frame to each view, of a program that is in use. */
 static void place_views(GLint location, const cupola_gl *gl)
 {
-    bool atlas = gl->params.storage == CUPOLA_STORAGE_ATLAS;
     GLfloat matrices[9 * CUPOLA_VIEWS_MAX];
     for (int v = 0; v < gl->plan.view_count; v++) {
         double matrix[9];
-        view_matrix(&gl->plan, &gl->plan.views[v], atlas, matrix);
+        dome_to_view(gl, v, matrix);
         for (int i = 0; i < 9; i++)
             matrices[9 * v + i] = (GLfloat)matrix[i];
     }
@@ -146,14 +187,16 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
         {"light.glsl", shader_light_glsl},
         {"tile.frag", shader_tile_frag},
     };
-    char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + TILE_LINES_MAX], tile_lines[TILE_LINES_MAX];
+    char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + TILE_LINES_MAX + CONSTANTS_MAX];
+    char tile_lines[TILE_LINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, CUPOLA_TABLE_NONE, defines);
     strcat(defines, lines);
     snprintf(tile_lines, sizeof tile_lines,
-             "#define TILE_PURE %d\n#define TILE_CHOOSING %d\n#define TILE_EXACT %d\n"
-             "#define TILE_DARK %d\n#define TILE_KIND %d\n",
-             TILE_PURE, TILE_CHOOSING, TILE_EXACT, TILE_DARK, kind);
+             "#define TILE_PURE %d\n#define TILE_PAIR %d\n#define TILE_CHOOSING %d\n"
+             "#define TILE_EXACT %d\n#define TILE_DARK %d\n#define TILE_KIND %d\n",
+             TILE_PURE, TILE_PAIR, TILE_CHOOSING, TILE_EXACT, TILE_DARK, kind);
     strcat(defines, tile_lines);
+    constants_write(gl, output, defines + strlen(defines));
     const struct tiles *tiles = &gl->passes[output].tiles.tiles;
     const double viewport[2] = {tiles->width_px, tiles->height_px};
     GLuint program = kind == TILE_EXACT ? program_create_by(&vertex, defines, exact, 6, error)
@@ -184,6 +227,7 @@ void tile_pass_refit(cupola_gl *gl, int output)
     struct host_buffer host;
     bool kept = !gl->guest.leaves_state;
     tiles_refit(&gl->plan, &pass->tiles);
+    set_pairs(gl, &pass->tiles);
     if (kept)
         host_buffer_save(&host);
     for (int kind = TILE_PURE; kind <= TILE_CHOOSING; kind++) {

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "constants.h"
 #include "error.h"
 #include "gl_objects.h"
 #include "host_cube.h"
@@ -31,9 +32,10 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
         {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
         {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
     };
-    char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX];
+    char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + CONSTANTS_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->params.table, defines);
     strcat(defines, lines);
+    constants_write(gl, output, defines + strlen(defines));
     GLuint program = program_create(defines, files, 6, error);
     if (!program)
         return 0;

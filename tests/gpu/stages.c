@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "geometry/plan.h"
-#include "geometry/tiles.h"
 #include "group.h"
 #include "rig_random.h"
 #include "worse.h"
@@ -260,26 +258,11 @@ static double difference(const float *a, const float *b, size_t pixels)
     return worst;
 }
 
-/* The largest angle between neighbouring texels, rad: that of a view's middle at distance 1. */
-static double texel_rad(const cupola_plan *plan)
-{
-    double largest = 0.0;
-    for (int v = 0; v < plan->view_count; v++) {
-        const struct cupola_view *view = &plan->views[v];
-        largest = worse_of(largest, (view->right - view->left) / view->rect.width);
-        largest = worse_of(largest, (view->top - view->bottom) / view->rect.height);
-    }
-    return largest;
-}
-
-/*
- * Colours are directions: what differs is an angle in rad, with the bar of the tables; tiles may
- * besides miss by what is stated in texels.
- */
+/* Colours are directions: what differs is an angle in rad, with the bar of the tables. */
 static void every_stage_shows_the_same_image(void **state)
 {
     (void)state;
-    double worst = 0.0, worst_tiles = 0.0;
+    double worst = 0.0;
     for (int number = 0; number < RIGS; number += 2) {
         struct cupola_rig rig = rig_number(number);
         size_t pixels = (size_t)rig.outputs[0].width_px * (size_t)rig.outputs[0].height_px;
@@ -294,21 +277,14 @@ static void every_stage_shows_the_same_image(void **state)
                 first = image;
                 continue;
             }
-            double apart = difference(first, image, pixels);
-            if (stage == CUPOLA_TABLE_TILES)
-                worst_tiles = worse_of(
-                    worst_tiles, apart / (bar_rad + TILE_ERROR_TEXELS * texel_rad(fixture.plan)));
-            else
-                worst = worse_of(worst, apart);
+            worst = worse_of(worst, difference(first, image, pixels));
             free(image);
         }
         free(first);
         fixture_release(&fixture);
     }
-    printf("images of all stages at most %.2g apart; tiles %.2g of what they may be\n", worst,
-           worst_tiles);
+    printf("images of all stages at most %.2g apart\n", worst);
     check_at_most(worst, bar_rad);
-    check_at_most(worst_tiles, 1.0);
 }
 
 int main(void)
