@@ -125,8 +125,8 @@ static void follow(cupola_gl *gl)
 {
     struct host_buffer host;
     bool kept = !gl->guest.leaves_state;
-    if (gl->mask.moves == gl->moves)
-        return;
+    if (gl->mask.moves == gl->moves || !(gl->plan.head_radius_m > 0))
+        return; /* an eye may be told to move from 0 to -0 */
     mask_refit(&gl->plan, &gl->mask.mask);
     if (kept)
         host_buffer_save(&host);
