@@ -56,7 +56,7 @@ static void save_stencil(struct host_mask *mask)
         struct host_stencil *face = &mask->faces[i];
         glGetIntegerv(faces[i].function, &face->function);
         glGetIntegerv(faces[i].reference, &face->reference);
-        glGetIntegerv(faces[i].value_mask, &face->value_mask);
+        glGetInteger64v(faces[i].value_mask, &face->value_mask);
         glGetInteger64v(faces[i].write_mask, &face->write_mask);
         glGetIntegerv(faces[i].fail, &face->fail);
         glGetIntegerv(faces[i].depth_fail, &face->depth_fail);

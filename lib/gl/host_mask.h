@@ -6,8 +6,8 @@
 
 /* What a face's stencil test is. */
 struct host_stencil {
-    GLint function, reference, value_mask, fail, depth_fail, pass;
-    GLint64 write_mask; /* as GLint the uppermost bit would be lost */
+    GLint function, reference, fail, depth_fail, pass;
+    GLint64 value_mask, write_mask; /* as GLint the uppermost bit would be lost */
 };
 
 struct host_mask {
