@@ -90,9 +90,8 @@ static const char plan_text[] =
     "                         of numbers rgba32f\n"
     "  --msaa N               samples per texel, 1 to 64, as many as the GL has; default 1\n"
     "  --depth WAY            forward | reversed: from 1 near to 0 at infinity; default forward\n"
-    "  --submission WAY       auto | once | loop: all views in one pass, or one by one; auto: in "
-    "one\n"
-    "                         pass where a vertex shader of this GL can choose the view\n"
+    "  --submission WAY       auto | once | loop: all views in one pass, or one by one; auto: the\n"
+    "                         former where a vertex shader of a GPU can choose the view\n"
     "  --table STAGE          none | angles | sines | points | coordinates | tiles; default\n"
     "                         points\n";
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <epoxy/gl.h>
+
 static int place_camera(const struct options *options, const double place[3],
                         struct host_camera *camera, char *message)
 {
@@ -23,18 +25,35 @@ int world_check_camera(const struct options *options, char *message)
     return place_camera(options, options->camera.value, &camera, message);
 }
 
-/* A geometry shader costs more than it saves, so that it must be wished for. */
+static bool renderer_is_software(void)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "SWR", "lavapipe", "Software"};
+    const char *renderer = (const char *)glGetString(GL_RENDERER);
+
+    for (size_t i = 0; renderer && i < sizeof names / sizeof *names; i++)
+        if (strstr(renderer, names[i]))
+            return true;
+    return false;
+}
+
+/*
+ * A geometry shader costs more than it saves, and so do viewports on software rasterisers, where
+ * there are no commands to be saved: they must be wished for.
+ */
 static int choose_way(const struct options *options)
 {
     struct cupola_error error = {0};
-    int way = options->show || options->submission == SUBMISSION_LOOP ? 0 : cupola_pass_way(&error);
+    bool automatic = options->submission == SUBMISSION_AUTO;
+    int way = 0;
 
+    if (options->show || options->submission == SUBMISSION_LOOP ||
+        (automatic && renderer_is_software()))
+        return 0;
+    way = cupola_pass_way(&error);
     if (options->submission == SUBMISSION_ONCE && way < 0)
         fprintf(stderr, "cupola-demo: --submission once: %s; the views are drawn one by one\n",
                 error.message);
-    if (way < 0 || (options->submission == SUBMISSION_AUTO && way != CUPOLA_PASS_VERTEX))
-        return 0;
-    return way;
+    return way < 0 || (automatic && way != CUPOLA_PASS_VERTEX) ? 0 : way;
 }
 
 static struct scene *create_scene(const struct options *options, const struct cupola_rig *rig,

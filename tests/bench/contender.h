@@ -45,6 +45,8 @@ extern const struct contender_kind contender_blit;
 /* Cupola with one of these, or as many rotated views as the variant says. */
 enum cupola_variant { CUPOLA_CHOICE = 0, CUPOLA_SAVES_VERTICES = -1, CUPOLA_UNMASKED = -2 };
 extern const struct contender_kind contender_cupola;
+/* The same, all views drawn in one pass. */
+extern const struct contender_kind contender_one_pass;
 /* Cupola's own choice with the table stage that the variant is. */
 extern const struct contender_kind contender_stage;
 /*

@@ -7,6 +7,7 @@
 #include "bench_shaders.h"
 #include "contender.h"
 #include "program.h"
+#include "scene_views.h"
 
 struct cupola_frames {
     const struct setting *setting;
@@ -55,7 +56,8 @@ static struct cupola_frames *prepare(const struct setting *setting,
     return frames;
 }
 
-static void *views_prepare(const struct setting *setting, int variant, char *message)
+static void *variant_prepare(const struct setting *setting, int variant,
+                             const struct cupola_gl_params *params, char *message)
 {
     struct cupola_plan_params plan = {.unmasked = variant == CUPOLA_UNMASKED};
 
@@ -65,7 +67,20 @@ static void *views_prepare(const struct setting *setting, int variant, char *mes
         plan.views = variant;
         plan.layout = CUPOLA_LAYOUT_ROTATED;
     }
-    return prepare(setting, &plan, &setting->gl, message);
+    return prepare(setting, &plan, params, message);
+}
+
+static void *views_prepare(const struct setting *setting, int variant, char *message)
+{
+    return variant_prepare(setting, variant, &setting->gl, message);
+}
+
+static void *pass_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_gl_params params = setting->gl;
+
+    params.one_pass = true;
+    return variant_prepare(setting, variant, &params, message);
 }
 
 static void *stage_prepare(const struct setting *setting, int variant, char *message)
@@ -127,6 +142,23 @@ static bool visit_views(struct cupola_frames *frames, bool drawn)
             return false;
     }
     return views > 0;
+}
+
+static bool pass_views(void *self)
+{
+    struct cupola_frames *frames = self;
+    struct scene *scene = frames->setting->scene;
+    struct cupola_frame begin = {.depth = frames->setting->depth};
+    struct cupola_gl_pass pass;
+
+    for (int i = 0; i < 4; i++)
+        begin.clear_color[i] = scene->clear_color[i];
+    if (cupola_gl_frame_begin(frames->gl, &begin, NULL) < 0 ||
+        cupola_gl_pass_begin(frames->gl, frames->setting->host, &pass, NULL) < 0)
+        return false;
+    glBindBufferBase(GL_UNIFORM_BUFFER, SCENE_PASS_BINDING, pass.buffer);
+    scene->draw(scene, &(struct scene_camera){.host = frames->setting->host, .pass = &pass});
+    return cupola_gl_pass_end(frames->gl, NULL) >= 0;
 }
 
 static bool frames_views(void *self)
@@ -218,6 +250,11 @@ const struct contender_kind contender_cupola = {.prepare = views_prepare,
                                                 .warp = frames_warp,
                                                 .facts = frames_facts,
                                                 .release = frames_release};
+const struct contender_kind contender_one_pass = {.prepare = pass_prepare,
+                                                  .views = pass_views,
+                                                  .warp = frames_warp,
+                                                  .facts = frames_facts,
+                                                  .release = frames_release};
 const struct contender_kind contender_stage = {.prepare = stage_prepare,
                                                .views = frames_views,
                                                .warp = frames_warp,

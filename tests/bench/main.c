@@ -28,6 +28,7 @@ static const struct contender frame_contenders[] = {
     {"perspective", &contender_plain_view, 0},
     {"blit", &contender_blit, 0},
     {"cupola", &contender_cupola, 0},
+    {"cupola-one-pass", &contender_one_pass, CUPOLA_CHOICE},
     {"cupola-unmasked", &contender_cupola, CUPOLA_UNMASKED},
     {"cupola-vertices", &contender_cupola, CUPOLA_SAVES_VERTICES},
     {"cupola-3-views", &contender_cupola, 3},

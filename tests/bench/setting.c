@@ -72,11 +72,15 @@ void setting_destroy(struct setting *setting)
 
 struct scene *setting_scene(const struct load *load, char *message)
 {
+    struct scene_wishes wishes = load->wishes;
+    int way = cupola_pass_way(NULL);
+
+    wishes.way = way > 0 ? way : 0;
     if (load->kind == SCENE_FOREST)
-        return scene_forest_create(&load->wishes, message, MESSAGE_SIZE);
+        return scene_forest_create(&wishes, message, MESSAGE_SIZE);
     if (load->kind == SCENE_DIRECTIONS)
-        return scene_directions_create(load->wishes.way, message, MESSAGE_SIZE);
-    return scene_cube_create(&load->wishes, message, MESSAGE_SIZE);
+        return scene_directions_create(wishes.way, message, MESSAGE_SIZE);
+    return scene_cube_create(&wishes, message, MESSAGE_SIZE);
 }
 
 double setting_plain_fov_rad(const struct setting *setting)
