@@ -198,6 +198,7 @@ static void report_costs(const struct planning *planning, cupola_plan *plan)
         farthest = fmax(farthest, planning->exact.views[v].farthest_rad);
     }
     report->layout = choice->layout;
+    report->directions_drawn = choice->drawn;
     report->views = plan->view_count;
     report->pixels = pixels;
     report->seen_fov_rad = 2 * planning->fine.half_rad;
@@ -209,7 +210,7 @@ static void report_costs(const struct planning *planning, cupola_plan *plan)
     double filled =
         params->unmasked ? report->texels_shaded_per_pixel : report->texels_masked_per_pixel;
     report->cost = filled + params->cost.texel_allocated * report->texels_shaded_per_pixel +
-                   params->cost.view * plan->view_count + choice->drawn_cost / pixels;
+                   params->cost.view * plan->view_count + params->cost.vertices * choice->drawn;
     if (plan->view_count == choice->count)
         memcpy(report->family, choice->family, sizeof report->family);
     else
@@ -255,6 +256,20 @@ static int finish(struct planning *planning, cupola_plan *plan, struct cupola_er
     return prepare_moves(planning, plan, error);
 }
 
+/* The views of a plan whose eye may have moved since. */
+static int take_over(const cupola_plan *earlier, const cupola_dome *dome, cupola_plan *made,
+                     struct cupola_error *error)
+{
+    int status = plan_copy(earlier, made, error);
+    if (status != CUPOLA_OK)
+        return status;
+    bool moved = memcmp(made->dome.rig.eye_m, dome->rig.eye_m, sizeof dome->rig.eye_m) != 0;
+    made->dome = *dome;
+    if (moved)
+        refit(made, dome->rig.eye_m);
+    return CUPOLA_OK;
+}
+
 int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params *params,
                        cupola_plan **plan, struct cupola_error *error)
 {
@@ -269,7 +284,13 @@ int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params 
     cupola_plan *made = calloc(1, sizeof *made);
     if (!made)
         return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a plan");
+    if (complete.earlier && plan_serves(complete.earlier, dome, &complete)) {
+        status = take_over(complete.earlier, dome, made, error);
+        goto done;
+    }
     made->dome = *dome;
+    made->params = complete;
+    made->params.earlier = NULL;
     made->rotation_in_projection = complete.rotation_in_projection;
     made->guard_px = complete.guard_px;
     made->unmasked = complete.unmasked;
@@ -277,6 +298,7 @@ int cupola_plan_create(const cupola_dome *dome, const struct cupola_plan_params 
     if (status == CUPOLA_OK)
         status = finish(&planning, made, error);
     planning_end(&planning);
+done:
     if (status != CUPOLA_OK)
         cupola_plan_destroy(&made);
     else

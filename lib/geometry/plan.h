@@ -62,7 +62,8 @@ struct cupola_plan {
     bool unmasked; /* planned for whole rectangles */
     int guard_px;
     double head_radius_m;
-    double planned_eye_m[3]; /* the middle of the sphere that it was planned for */
+    double planned_eye_m[3];          /* the middle of the sphere that it was planned for */
+    struct cupola_plan_params params; /* complete; without an earlier plan */
     struct plan_outline outline;
     struct cupola_view views[CUPOLA_VIEWS_MAX];
     struct cupola_plan_report report;
@@ -254,6 +255,9 @@ bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view,
  * A copy that shares nothing, into a place that holds no plan, and what it has taken given back.
  * CUPOLA_OK or CUPOLA_ERROR_MEMORY, and then there is no copy.
  */
+/* Whether a plan was made for such a rig and such wishes, which are complete. */
+bool plan_serves(const cupola_plan *plan, const cupola_dome *dome,
+                 const struct cupola_plan_params *params);
 int plan_copy(const cupola_plan *from, cupola_plan *to, struct cupola_error *error);
 void plan_release(cupola_plan *plan);
 

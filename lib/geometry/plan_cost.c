@@ -276,6 +276,17 @@ static void select_views(const struct plan_state *state, const struct plan_sampl
                 shared_part(state, sample, member, v);
 }
 
+double plan_drawn(const struct plan_samples *samples, const struct plan_state *state)
+{
+    double drawn = 0;
+    for (int i = 0; i < samples->count; i++) {
+        struct plan_member member;
+        select_views(state, &samples->list[i], true, &member);
+        drawn += samples->list[i].solid_angle * (1 + member.shared + member.others);
+    }
+    return drawn / (4 * pi);
+}
+
 void plan_evaluate(const struct plan_samples *samples, const struct plan_prices *prices,
                    struct plan_scratch *scratch, struct plan_state *state)
 {

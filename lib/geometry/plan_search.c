@@ -333,7 +333,7 @@ static void conclude(const struct search *search, const struct plan_family *fami
     const struct plan_state *state = &search->now;
     struct plan_choice choice = {.layout = CUPOLA_LAYOUT_ROTATED,
                                  .count = state->count,
-                                 .drawn_cost = state->drawn_cost,
+                                 .drawn = plan_drawn(search->samples, state),
                                  .cost = state->cost};
     int length = 0;
     if (family->rings == 0)

@@ -120,6 +120,8 @@ void plan_evaluate(const struct plan_samples *samples, const struct plan_prices 
 /* The same where only view `changed` differs from what is known of it. */
 void plan_reevaluate(const struct plan_samples *samples, const struct plan_prices *prices,
                      struct plan_scratch *scratch, int changed, struct plan_state *state);
+/* Of all directions round the eye, with objects of 2 degrees, by all views together. */
+double plan_drawn(const struct plan_samples *samples, const struct plan_state *state);
 /* Some orientation that looks along an axis. */
 void plan_look_along(const double axis[3], double rotation[9]);
 
@@ -153,8 +155,8 @@ struct plan_choice {
         double area; /* of the base plane that its pixels cover, about */
     } views[CUPOLA_VIEWS_MAX];
     char family[CUPOLA_FAMILY_MAX];
-    double drawn_cost; /* of objects, its part of: */
-    double cost;       /* in shaded texels; PLAN_IMPOSSIBLE and more: some rays are out of reach */
+    double drawn; /* of all directions round the eye, by all views together */
+    double cost;  /* in shaded texels; PLAN_IMPOSSIBLE and more: some rays are out of reach */
 };
 
 enum { PLAN_CHOICES = 4 };

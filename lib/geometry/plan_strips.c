@@ -75,14 +75,14 @@ static void cut_plane(const double bounds[4], const double rotation[9], int colu
         }
 }
 
-static void conclude(const struct plan_state *state, int columns, int rows,
-                     struct plan_choice choices[PLAN_CHOICES])
+static void conclude(const struct plan_samples *samples, const struct plan_state *state,
+                     int columns, int rows, struct plan_choice choices[PLAN_CHOICES])
 {
     /* Of near equals the one whose views are lit alike. */
     static const double preference = 0.995;
     struct plan_choice choice = {.layout = CUPOLA_LAYOUT_ASYMMETRIC,
                                  .count = state->count,
-                                 .drawn_cost = state->drawn_cost,
+                                 .drawn = plan_drawn(samples, state),
                                  .cost = preference * state->cost};
     snprintf(choice.family, sizeof choice.family, "%dx%d", columns, rows);
     for (int v = 0; v < state->count; v++) {
@@ -114,7 +114,7 @@ int plan_strips(const struct plan_question *question, struct plan_choice choices
             cut_plane(bounds, rotation, count / rows, rows, &state);
             plan_evaluate(samples, &question->prices, &scratch, &state);
             if (state.cost < PLAN_IMPOSSIBLE)
-                conclude(&state, count / rows, rows, choices);
+                conclude(samples, &state, count / rows, rows, choices);
         }
     plan_state_release(&state);
     plan_scratch_release(&scratch);

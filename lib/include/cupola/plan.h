@@ -84,6 +84,10 @@ struct cupola_plan_params {
      * densities suffice for every eye in it. The sphere lies within the screen, 1/10 of its radius
      * from it at least. 0: the eye rests. */
     double head_radius_m;
+    /* A plan that was made before, or NULL. Where it was made for an equal rig and equal wishes its
+     * views are taken over, without a search; otherwise it is ignored. It is not kept. For hosts
+     * that make everything anew, with a window for instance. */
+    const cupola_plan *earlier;
 };
 
 /* A rectangle of pixels or texels. */
@@ -120,6 +124,8 @@ struct cupola_plan_report {
     double texels_masked_per_pixel;    /* of that with a guard band round it, which is what a mask
                                         * leaves to be shaded; estimated to some 2 % */
     double cost;                       /* by struct cupola_cost, per pixel */
+    double directions_drawn;           /* of all directions round the eye, by all views together,
+                                        * with objects of 2 degrees; 1: all of them once */
     double least_texels_per_pixel; /* over all pixels and directions, along a line; 1 is no loss */
     double seen_fov_rad;           /* full opening of the rays round their mean direction */
     /* How the views lie: of rotated ones the numbers in each ring round the mean seen direction,
