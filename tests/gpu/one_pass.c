@@ -6,8 +6,8 @@
  * (products fused or not, the division by w: the software rasteriser does that division elsewhere
  * for vertices with a viewport of their own): in floats a last digit, and single texels at outlines
  * where a vertex lies on the border between two subpixels. Of those, one in a hundred for lines,
- * whose rasterisation leaves more to such borders, and one in a thousand for triangles (the software
- * rasteriser has up to one in six thousand).
+ * whose rasterisation leaves more to such borders, and one in a thousand for triangles (up to one
+ * in six thousand on the software rasteriser).
  */
 #include <math.h>
 #include <stdio.h>
