@@ -19,8 +19,9 @@ struct world {
 
 /*
  * Loads or makes the scene and places the camera; a place that was chosen for a MODEL is printed to
- * `news`, and that views cannot be drawn in one pass, which was asked for, to stderr. STATUS_OK, or another status with one line in message (MESSAGE_SIZE bytes) and nothing
- * made. Runs where a GL context is current.
+ * `news`, and to stderr that views cannot be drawn in one pass where that was asked for. STATUS_OK,
+ * or another status with one line in message (MESSAGE_SIZE bytes) and nothing made. Runs where a GL
+ * context is current.
  */
 int world_create(struct world *world, const struct options *options, const struct cupola_rig *rig,
                  FILE *news, char *message);
