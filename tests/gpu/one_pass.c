@@ -32,6 +32,7 @@ static const struct plan_wish plans[] = {
     {"rotated", CUPOLA_LENS_HEMISPHERIC, 180, {.layout = CUPOLA_LAYOUT_ROTATED, .views = 5}},
     {"eight", CUPOLA_LENS_ANGULAR, 220, {.layout = CUPOLA_LAYOUT_ROTATED, .views = 8}},
     {"auto", CUPOLA_LENS_ANGULAR, 180, {.rotation_in_projection = true}},
+    {"an eye that has moved", CUPOLA_LENS_ANGULAR, 150, {.head_radius_m = 0.2}},
 };
 
 enum { PLANS = sizeof plans / sizeof plans[0], SIZE = 96 };
@@ -79,6 +80,9 @@ static void make(struct fixture *fixture, const struct plan_wish *wish,
     rig.eye_m[0] = 0.1;
     rig.tilt_rad = 0.3;
     fixture_make(&rig, &wish->params, &passing, fixture);
+    if (wish->params.head_radius_m > 0)
+        assert_int_equal(cupola_gl_set_eye(fixture->gl, (double[3]){0.15, 0.1, -0.1}, NULL),
+                         CUPOLA_OK);
 }
 
 static void check_same(const struct fixture *fixture, const struct confetti *confetti,
@@ -147,6 +151,8 @@ static void check_formats(enum cupola_pass_way way)
         {.format = CUPOLA_FORMAT_SRGB8, .samples = 2, .depth = CUPOLA_DEPTH_24_STENCIL_8},
         {.format = CUPOLA_FORMAT_RGBA32F, .depth = CUPOLA_DEPTH_24},
         {.depth = CUPOLA_DEPTH_NONE},
+        {.mask = CUPOLA_MASK_NONE},
+        {.mask = CUPOLA_MASK_STENCIL, .depth = CUPOLA_DEPTH_32F_STENCIL_8},
         {.leaves_state = true, .samples = 4},
     };
     const struct cupola_frame frame = {.clear_color = {0.1f, 0.2f, 0.3f, 1}};
