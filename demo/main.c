@@ -90,6 +90,8 @@ int main(int argc, char **argv)
         setup.view_format = options.view_format;
         setup.samples = options.samples;
         setup.reversed_depth = options.reversed_depth;
+        setup.mask = (enum cupola_mask)options.mask;
+        setup.plan.unmasked = options.mask == CUPOLA_MASK_NONE;
         setup.mode = options.mode;
         setup.overlays = options.mark_count > 0;
         setup.source = options.show_as;

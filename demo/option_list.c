@@ -48,6 +48,7 @@ const struct option option_list[] = {
     {"view-format", required_argument, NULL, OPTION_VIEW_FORMAT},
     {"msaa", required_argument, NULL, OPTION_MSAA},
     {"depth", required_argument, NULL, OPTION_DEPTH},
+    {"mask", required_argument, NULL, OPTION_MASK},
     {"submission", required_argument, NULL, OPTION_SUBMISSION},
     {"table", required_argument, NULL, OPTION_TABLE},
     {"perspective", no_argument, NULL, OPTION_PERSPECTIVE},

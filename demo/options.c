@@ -39,6 +39,13 @@ static const char *view_format_name(int index)
     return name_at(names, 4, index);
 }
 
+/* In the order of enum cupola_mask. */
+static const char *mask_name(int index)
+{
+    static const char *const names[] = {"auto", "none", "depth", "stencil"};
+    return name_at(names, 4, index);
+}
+
 static const char *depth_name(int index)
 {
     static const char *const names[] = {"forward", "reversed"};
@@ -229,6 +236,8 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
             return false;
         o->reversed_depth = index == 1;
         return true;
+    case OPTION_MASK:
+        return value_name(c, text, mask_name, &o->mask);
     case OPTION_SUBMISSION:
         if (!value_name(c, text, submission_name, &index))
             return false;

@@ -84,6 +84,7 @@ struct options {
     int view_format; /* -1: not given; else of enum cupola_format */
     int samples;     /* per texel of a view; 0: not given */
     bool reversed_depth;
+    int mask; /* of enum cupola_mask */
     enum submission_wish submission;
     enum show_mode mode;
     int show_output; /* index; -1: not given */

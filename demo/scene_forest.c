@@ -58,12 +58,13 @@ static void draw_sky(const struct forest_scene *scene, const struct scene_camera
 {
     GLuint program = scene_program(&scene->backdrop, camera);
 
-    glDisable(GL_DEPTH_TEST);
     glUseProgram(program);
     if (!scene_set_camera(program, camera) || !scene_set_rays(program, camera, true, NULL))
         return;
+    scene_backdrop_begin(camera);
     glBindVertexArray(scene->no_vertices);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
+    scene_backdrop_end();
 }
 
 /* One call for each kind, of the trees of one view or of all. */

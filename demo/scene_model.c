@@ -30,12 +30,13 @@ static void draw_backdrop(const struct model_scene *scene, const struct scene_ca
 {
     GLuint program = scene_program(&scene->backdrop, camera);
 
-    glDisable(GL_DEPTH_TEST);
     glUseProgram(program);
     if (!scene_set_camera(program, camera) || !scene_set_rays(program, camera, true, NULL))
         return;
+    scene_backdrop_begin(camera);
     glBindVertexArray(scene->no_vertices);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
+    scene_backdrop_end();
 }
 
 static void draw_batches(const struct model_scene *scene, GLuint program, int views)

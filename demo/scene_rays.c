@@ -28,12 +28,13 @@ static void rays_draw(struct scene *scene, const struct scene_camera *camera)
     glUseProgram(program);
     if (!scene_set_rays(program, camera, false, rays->to_output))
         return;
-    glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    scene_backdrop_begin(camera);
     glBindVertexArray(rays->vertex_array);
     glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
+    scene_backdrop_end();
     glBindVertexArray(0);
     glUseProgram(0);
 }

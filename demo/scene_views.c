@@ -46,6 +46,18 @@ const struct cupola_camera *scene_view(const struct scene_camera *camera, int in
     return camera->pass ? &camera->pass->views[index].camera : camera->view;
 }
 
+void scene_backdrop_begin(const struct scene_camera *camera)
+{
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
+    glDepthMask(GL_FALSE);
+}
+
+void scene_backdrop_end(void)
+{
+    glDepthMask(GL_TRUE);
+}
+
 /* The same camera with one view of its own. */
 static struct scene_camera camera_of_view(const struct scene_camera *camera, int index)
 {

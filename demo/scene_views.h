@@ -33,6 +33,13 @@ int scene_view_count(const struct scene_camera *camera);
 const struct cupola_camera *scene_view(const struct scene_camera *camera, int index);
 
 /*
+ * The tests with which a backdrop is drawn, before all else: it hides nothing and leaves out what
+ * is masked.
+ */
+void scene_backdrop_begin(const struct scene_camera *camera);
+void scene_backdrop_end(void);
+
+/*
  * Sets clip_from_world and eye of the program that is in use. False for a matrix that is no
  * perspective.
  */

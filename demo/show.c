@@ -198,6 +198,7 @@ static bool draw_views(struct show *show, const struct show_frame *frame, const 
     const struct submission submission = {.gl = show->gl,
                                           .plan = show->plan,
                                           .dome = show_dome(show),
+                                          .stencil = show->setup.mask == CUPOLA_MASK_STENCIL,
                                           .one_pass = show->setup.one_pass,
                                           .scene = frame->scene,
                                           .grid = frame->grid};

@@ -19,6 +19,7 @@ struct show_setup {
     int view_format; /* of enum cupola_format; -1: by `floats` */
     int samples;     /* per texel of a view; 0: one */
     bool reversed_depth;
+    enum cupola_mask mask;
     bool one_pass; /* all views at once: scene and grid have been made for that */
     enum show_mode mode;
     enum cupola_source_kind source; /* what is shown: the views of a scene, or a picture */

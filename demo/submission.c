@@ -5,6 +5,21 @@
 
 #include "scene_views.h"
 
+/* The scene, and what lies over it, where the stencil's mask lets it. */
+static void draw_scene(const struct submission *submission, const struct scene_camera *camera,
+                       int first, int count)
+{
+    if (submission->stencil) {
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_EQUAL, 0, 128);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    }
+    submission->scene->draw(submission->scene, camera);
+    if (submission->grid)
+        grid_draw(submission->grid, submission->dome, submission->plan, first, count);
+    glDisable(GL_STENCIL_TEST);
+}
+
 static bool draw_one_by_one(const struct submission *submission, struct scene_camera camera,
                             int views, struct cupola_error *error)
 {
@@ -14,9 +29,7 @@ static bool draw_one_by_one(const struct submission *submission, struct scene_ca
     for (int i = 0; i < views; i++) {
         if (cupola_gl_view_begin(submission->gl, i, &view, error) < 0)
             return false;
-        submission->scene->draw(submission->scene, &camera);
-        if (submission->grid)
-            grid_draw(submission->grid, submission->dome, submission->plan, i, 1);
+        draw_scene(submission, &camera, i, 1);
         if (cupola_gl_view_end(submission->gl, error) < 0)
             return false;
     }
@@ -32,9 +45,7 @@ static bool draw_at_once(const struct submission *submission, struct scene_camer
         return false;
     camera.pass = &pass;
     glBindBufferBase(GL_UNIFORM_BUFFER, SCENE_PASS_BINDING, pass.buffer);
-    submission->scene->draw(submission->scene, &camera);
-    if (submission->grid)
-        grid_draw(submission->grid, submission->dome, submission->plan, 0, pass.view_count);
+    draw_scene(submission, &camera, 0, pass.view_count);
     return cupola_gl_pass_end(submission->gl, error) >= 0;
 }
 

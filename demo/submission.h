@@ -11,6 +11,7 @@ struct submission {
     cupola_gl *gl;
     const cupola_plan *plan;
     const cupola_dome *dome;
+    bool stencil;  /* what no pixel samples is masked there: see cupola/gl.h */
     bool one_pass; /* for a gl, a scene and a grid that have been made for that */
     struct scene *scene;
     struct grid *grid; /* drawn over every view; NULL: none */

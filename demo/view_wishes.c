@@ -25,7 +25,9 @@ struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
 {
     return (struct cupola_gl_params){
         .format = view_format(setup),
+        .depth = setup->mask == CUPOLA_MASK_STENCIL ? CUPOLA_DEPTH_32F_STENCIL_8 : CUPOLA_DEPTH_32F,
         .samples = setup->samples,
+        .mask = setup->mask,
         .table = setup->table,
         .encoding = view_wishes_encoding(setup),
         .sources = 1u << (unsigned int)setup->source,

@@ -121,8 +121,8 @@ struct cupola_plan_report {
     double texels_allocated_per_pixel; /* of the whole atlas */
     double texels_shaded_per_pixel;    /* of the views, guard bands included */
     double texels_sampled_per_pixel;   /* of the part of the views that the pixels cover */
-    double texels_masked_per_pixel;    /* of that with a guard band round it, which is what a mask
-                                        * leaves to be shaded; estimated to some 2 % */
+    double texels_masked_per_pixel;    /* of that with a guard band round it, which is what masks
+                                        * (gl.h) leave to be shaded, to some 2 % */
     double cost;                       /* by struct cupola_cost, per pixel */
     double directions_drawn;           /* of all directions round the eye, by all views together,
                                         * with objects of 2 degrees; 1: all of them once */
