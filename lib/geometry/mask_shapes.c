@@ -71,7 +71,7 @@ static bool side_narrow(struct side *side, float height, float place)
 {
     float slope = fabsf(place - side->start) / height;
     float near = (place + side->sense * apart - side->start) / height;
-    float far = (place + side->sense * loose * (1 + slope) - side->start) / height;
+    float far = (place + side->sense * loose * (1 + fminf(slope, 4)) - side->start) / height;
     float least = fmaxf(side->least, fminf(near, far)), most = fminf(side->most, fmaxf(near, far));
     if (!(least <= most))
         return false;

@@ -9,7 +9,7 @@
 #include "mask.h"
 #include "vector.h"
 
-enum { LEAST_PX = 1, SMALL_PX = 2, MOST_PX = 32, PLACES = 9 };
+enum { SMALL_PX = 2, MOST_PX = 32, PLACES = 9 };
 
 /* Half the diagonal of a pixel and some more: farther from an edge none is cut. */
 static const double pixel_reach = 0.75;
@@ -21,6 +21,7 @@ struct cutting {
     const cupola_plan *plan;
     const struct projector *projector;
     struct mask *mask;
+    int least_px; /* of a square */
 };
 
 static void point_of(const struct projector *projector, double x_px, double y_px,
@@ -136,7 +137,7 @@ static bool cut_square(const struct cutting *cutting, int x, int y, int side)
     enum lit lit = lit_of(cutting->projector, x, y, side);
     if (lit == LIT_NOT)
         return true;
-    if (side <= LEAST_PX)
+    if (side <= cutting->least_px)
         return (lit == LIT_IN_PART && !any_pixel_lit(cutting->projector, x, y, side)) ||
                add_square(cutting, x, y, side);
     if (lit == LIT)
@@ -152,7 +153,8 @@ bool mask_squares_cut(const cupola_plan *plan, struct mask *mask)
 {
     for (int output = 0; output < plan->dome.rig.output_count; output++) {
         const struct projector *projector = &plan->dome.projectors[output];
-        struct cutting cutting = {plan, projector, mask};
+        /* An eye that moves pays for squares in every frame. */
+        struct cutting cutting = {plan, projector, mask, plan->head_radius_m > 0 ? SMALL_PX : 1};
         int most = SMALL_PX; /* squares that are not small beside the circle bulge */
         while (most < MOST_PX && 32 * most <= projector->radius_px)
             most *= 2;
