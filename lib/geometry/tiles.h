@@ -72,8 +72,8 @@ int tiles_create(const cupola_plan *plan, int output, int most_px, struct tiles 
 void tiles_destroy(struct tiles *tiles);
 
 /*
- * Cuts pieces into pure, pair and choosing tiles again, for a plan whose eye or views have changed since.
- * Allocates nothing; where there is no room for more tiles, larger ones choose.
+ * Cuts pieces into pure, pair and choosing tiles again, for a plan whose eye or views have changed
+ * since. Allocates nothing; where there is no room for more tiles, larger ones choose.
  */
 void tiles_refit(const cupola_plan *plan, struct tiles *tiles);
 

@@ -51,7 +51,7 @@ void eye_follow(cupola_gl *gl, int output, GLuint framebuffer)
     if (pass->moves == gl->moves)
         return;
     programs_follow(gl, pass);
-    if (gl->params.table == CUPOLA_TABLE_TILES)
+    if (pass->stage == CUPOLA_TABLE_TILES)
         tile_pass_refit(gl, output);
     table_redraw(gl, output);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);

@@ -12,9 +12,13 @@
 #include "one_pass.h"
 
 static const char *const table_names[] = {
-    [CUPOLA_TABLE_POINTS] = "points",           [CUPOLA_TABLE_NONE] = "none",
-    [CUPOLA_TABLE_ANGLES] = "angles",           [CUPOLA_TABLE_SINES] = "sines",
-    [CUPOLA_TABLE_COORDINATES] = "coordinates", [CUPOLA_TABLE_TILES] = "tiles",
+    [CUPOLA_TABLE_POINTS] = "points",
+    [CUPOLA_TABLE_NONE] = "none",
+    [CUPOLA_TABLE_ANGLES] = "angles",
+    [CUPOLA_TABLE_SINES] = "sines",
+    [CUPOLA_TABLE_COORDINATES] = "coordinates",
+    [CUPOLA_TABLE_TILES] = "tiles",
+    [CUPOLA_TABLE_AUTO] = "auto",
 };
 
 enum { TABLE_COUNT = sizeof table_names / sizeof table_names[0] };
@@ -27,6 +31,14 @@ const char *cupola_table_name(int table)
 int cupola_table_find(const char *name)
 {
     return number_of_name(table_names, TABLE_COUNT, name);
+}
+
+int cupola_gl_table(const cupola_gl *gl, int output)
+{
+    if (!gl || !shows_source(gl, CUPOLA_SOURCE_VIEWS) || output < 0 ||
+        output >= gl->plan.dome.rig.output_count)
+        return CUPOLA_ERROR_ARGUMENT;
+    return (int)gl->passes[output].stage;
 }
 
 int color_check(const char *name, const float color[4], struct cupola_error *error)
@@ -52,7 +64,7 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
     if (params->storage != CUPOLA_STORAGE_ATLAS && params->table == CUPOLA_TABLE_COORDINATES)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "table stage is coordinates, which are those of the atlas; allowed for "
-                         "the host's textures: points, none, angles, sines, tiles");
+                         "the host's textures: points, none, angles, sines, tiles, auto");
     if ((status = mask_check_params(params, error)) != CUPOLA_OK)
         return status;
     if (params->encoding < CUPOLA_ENCODING_LINEAR || params->encoding > CUPOLA_ENCODING_SRGB)

@@ -54,10 +54,11 @@ enum { WARP_PROGRAMS = SOURCE_KINDS + TILE_KINDS };
 
 /* Tables and programs of one output. */
 struct warp_pass {
-    GLuint table;  /* 0 for the stages none and tiles */
-    GLuint points; /* 0 until asked for; the same as `table` for the stage points */
-    GLuint gain;   /* the host's; 0: none */
-    bool gained;   /* there are programs with gain */
+    enum cupola_table stage; /* of its views; never auto */
+    GLuint table;            /* 0 for the stages none and tiles */
+    GLuint points;           /* 0 until asked for; the same as `table` for the stage points */
+    GLuint gain;             /* the host's; 0: none */
+    bool gained;             /* there are programs with gain */
     /* Without gain, and with it: those are made when a gain is set for the first time. */
     struct warp_program programs[2][WARP_PROGRAMS];
     struct overlay_program overlays[2];
@@ -174,6 +175,15 @@ int output_check(cupola_gl *gl, int output, struct cupola_error *error);
 /* All with the host's state saved already. */
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error);
 void warp_pass_destroy(struct warp_pass *pass);
+
+/* Of a pass whose stage is set, what shows views; after a failure a part of it may be there. */
+int warp_views_create(cupola_gl *gl, int output, struct cupola_error *error);
+
+/* Shows the views on an output, in a framebuffer that is bound, without any check. */
+void warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place);
+
+/* Of a pass whose stage is auto: creates what shows views by the stage that is the fastest. */
+int table_choose(cupola_gl *gl, int output, struct cupola_error *error);
 
 /*
  * Before views are shown on an output: its programs and its table or tiles follow the eye, if that

@@ -85,7 +85,7 @@ void table_redraw(const cupola_gl *gl, int output)
     if (!redraw->program)
         return;
     bool grouped = guest_group_open(&gl->guest, "table %s of output %d",
-                                    cupola_table_name((int)gl->params.table), output);
+                                    cupola_table_name((int)gl->passes[output].stage), output);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, redraw->framebuffer);
     glUseProgram(redraw->program);
     program_place_eye(redraw->eye, &gl->plan.dome);

@@ -33,7 +33,8 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
         {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
     };
     char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + CONSTANTS_MAX];
-    program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->params.table, defines);
+    program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->passes[output].stage,
+                    defines);
     strcat(defines, lines);
     constants_write(gl, output, defines + strlen(defines));
     GLuint program = program_create(defines, files, 6, error);
@@ -108,22 +109,28 @@ void warp_programs_destroy(struct warp_program programs[WARP_PROGRAMS])
     }
 }
 
-/* Whether a program is needed: the views have one, or one for each kind of tiles. */
-static bool needs_program(const cupola_gl *gl, int kind)
+/* Whether a program shows views: they have one, or one for each kind of tiles. */
+static bool is_of_views(const cupola_gl *gl, int output, int kind)
 {
-    bool tiles = gl->params.table == CUPOLA_TABLE_TILES;
-    if (kind >= SOURCE_KINDS)
-        return tiles && shows_source(gl, CUPOLA_SOURCE_VIEWS);
-    return shows_source(gl, (enum cupola_source_kind)kind) &&
-           !(tiles && kind == CUPOLA_SOURCE_VIEWS);
+    bool tiles = gl->passes[output].stage == CUPOLA_TABLE_TILES;
+    return tiles ? kind >= SOURCE_KINDS : kind == CUPOLA_SOURCE_VIEWS;
 }
 
-int warp_programs_create(const cupola_gl *gl, int output, bool gained,
-                         struct warp_program made[WARP_PROGRAMS], struct cupola_error *error)
+static bool needs_program(const cupola_gl *gl, int output, int kind)
+{
+    if (kind == CUPOLA_SOURCE_VIEWS || kind >= SOURCE_KINDS)
+        return shows_source(gl, CUPOLA_SOURCE_VIEWS) && is_of_views(gl, output, kind);
+    return shows_source(gl, (enum cupola_source_kind)kind);
+}
+
+/* The programs that a pass does not have yet, of views alone or of all that was asked for. */
+static int programs_complete(const cupola_gl *gl, int output, bool gained, bool views_alone,
+                             struct warp_program made[WARP_PROGRAMS], struct cupola_error *error)
 {
     for (int kind = 0; kind < WARP_PROGRAMS; kind++) {
+        bool wished = !views_alone || is_of_views(gl, output, kind);
         int status = CUPOLA_OK;
-        if (needs_program(gl, kind))
+        if (wished && !made[kind].program && needs_program(gl, output, kind))
             status = warp_program_create(gl, output, kind, gained, &made[kind], error);
         if (status != CUPOLA_OK) {
             warp_programs_destroy(made);
@@ -133,21 +140,38 @@ int warp_programs_create(const cupola_gl *gl, int output, bool gained,
     return CUPOLA_OK;
 }
 
+int warp_programs_create(const cupola_gl *gl, int output, bool gained,
+                         struct warp_program made[WARP_PROGRAMS], struct cupola_error *error)
+{
+    return programs_complete(gl, output, gained, false, made, error);
+}
+
+int warp_views_create(cupola_gl *gl, int output, struct cupola_error *error)
+{
+    struct warp_pass *pass = &gl->passes[output];
+    if (pass->stage == CUPOLA_TABLE_TILES) {
+        if (tile_pass_create(gl, output, &pass->tiles, error) != CUPOLA_OK)
+            return error->status;
+    } else if (pass->stage != CUPOLA_TABLE_NONE) {
+        pass->table = table_create(gl, output, pass->stage, &pass->redraw, error);
+        if (!pass->table)
+            return error->status;
+        if (pass->stage == CUPOLA_TABLE_POINTS)
+            pass->points = pass->table;
+    }
+    return programs_complete(gl, output, false, true, pass->programs[false], error);
+}
+
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 {
     struct warp_pass *pass = &gl->passes[output];
-    bool views = shows_source(gl, CUPOLA_SOURCE_VIEWS);
-    if (views && gl->params.table == CUPOLA_TABLE_TILES) {
-        if (tile_pass_create(gl, output, &pass->tiles, error) != CUPOLA_OK)
-            return error->status;
-    } else if (views && gl->params.table != CUPOLA_TABLE_NONE) {
-        pass->table = table_create(gl, output, gl->params.table, &pass->redraw, error);
-        if (!pass->table)
-            return error->status;
-        if (gl->params.table == CUPOLA_TABLE_POINTS)
-            pass->points = pass->table;
-    }
-    int status = warp_programs_create(gl, output, false, pass->programs[false], error);
+    int status = CUPOLA_OK;
+    pass->stage = gl->params.table;
+    if (shows_source(gl, CUPOLA_SOURCE_VIEWS))
+        status = pass->stage == CUPOLA_TABLE_AUTO ? table_choose(gl, output, error)
+                                                  : warp_views_create(gl, output, error);
+    if (status == CUPOLA_OK)
+        status = warp_programs_create(gl, output, false, pass->programs[false], error);
     if (status == CUPOLA_OK)
         status = overlay_program_create(gl, output, false, &pass->overlays[false], error);
     return status;
@@ -217,12 +241,14 @@ static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,
     }
 }
 
-static void draw_views(const cupola_gl *gl, int output, const struct cupola_target *place)
+void warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place)
 {
+    const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
     const struct warp_pass *pass = &gl->passes[output];
     const struct warp_program *program = &pass->programs[pass->gain != 0][CUPOLA_SOURCE_VIEWS];
+    host_set_area(&gl->features, place->x, place->y, size->width_px, size->height_px);
     views_bind(gl, output);
-    if (gl->params.table == CUPOLA_TABLE_TILES) {
+    if (pass->stage == CUPOLA_TABLE_TILES) {
         draw_tiles(gl, pass, place);
         return;
     }
@@ -261,7 +287,7 @@ static void warp_draw(cupola_gl *gl, int output, const struct cupola_source *sou
     if (gl->passes[output].gain)
         gain_bind(gl, output);
     if (source->kind == CUPOLA_SOURCE_VIEWS)
-        draw_views(gl, output, place);
+        warp_draw_views(gl, output, place);
     else
         draw_picture(gl, output, source, place);
 }

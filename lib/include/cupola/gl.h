@@ -92,11 +92,16 @@ enum cupola_table {
     CUPOLA_TABLE_ANGLES,      /* the two angles of each ray */
     CUPOLA_TABLE_SINES,       /* their sines and cosines, the paper's choice */
     CUPOLA_TABLE_COORDINATES, /* finished coordinates in the atlas */
-    /* Square tiles of 8 to 64 px, each with a polynomial of its points, to 0.002 texels: what is
-     * not lit, or cut by a rim, goes apart, and only tiles at borders of views ask each pixel which
-     * it falls to. The least work for a pixel, and no texture of the output's size. Needs a GL with
-     * points of 8 px. */
+    /* Square tiles of 8 to 128 px, each with a polynomial of its points, to 0.002 texels and 1e-5
+     * rad: what is not lit, or cut by a rim, goes apart, and only tiles at borders of views ask each
+     * pixel which of them it falls to. The least work for a pixel, and no texture of the output's
+     * size. Needs a GL with points of 8 px. */
     CUPOLA_TABLE_TILES,
+    /* The one of these that is the fastest here: cupola_gl_create draws them a few times for every
+     * output, which takes a fraction of a second for each, and keeps one; cupola_gl_table tells
+     * which. With the host's textures as views, and where nothing can be measured, tiles or else
+     * what can be made. */
+    CUPOLA_TABLE_AUTO,
 };
 
 /*
@@ -129,7 +134,7 @@ struct cupola_gl_params {
     enum cupola_table table;        /* 0: points */
     /* 0: auto. With a host's textures, which cupola_gl_mask masks, all but none are the same. */
     enum cupola_mask mask;
-    enum cupola_encoding encoding;  /* of what the warp writes; 0: linear */
+    enum cupola_encoding encoding; /* of what the warp writes; 0: linear */
     /* RGBA of pixels that are not lit, in linear light, finite (below 0 for targets that hold such
      * numbers); all zero: transparent black */
     float border[4];
@@ -439,6 +444,17 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
  */
 CUPOLA_API int cupola_gl_capture(const struct cupola_target *target, int width, int height,
                                  float *rgba, struct cupola_error *error);
+
+/*
+ * The table stage that an output is warped by: what was asked for, or what auto chose.
+ *
+ * output   index, 0 to the number of the rig's outputs - 1
+ * returns  of enum cupola_table; CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views, or there is
+ *          no such output
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_gl_table(const cupola_gl *gl, int output);
 
 /*
  * The name of a table stage as on command lines.

@@ -32,6 +32,7 @@ enum cupola_log_id {
 
     CUPOLA_LOG_CREATED = 300, /* info: a cupola_gl, with its formats, sizes and the GL's names */
     CUPOLA_LOG_DESTROYED,     /* info */
+    CUPOLA_LOG_TABLE_CHOSEN, /* info: which stage CUPOLA_TABLE_AUTO became, and what was measured */
 
     CUPOLA_LOG_PROGRAM = 400, /* debug: a program was compiled */
     CUPOLA_LOG_TEXTURE,       /* debug: a texture or renderbuffer was made */
