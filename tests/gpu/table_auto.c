@@ -9,7 +9,7 @@
 #include "rig_random.h"
 #include "worse.h"
 
-enum { NAMES = 4000, RIGS = 6, OUTPUTS = 2 };
+enum { NAMES = 4000, RIGS = 3, OUTPUTS = 2 };
 
 /* As of the stages among themselves: tests/gpu/stages.c. */
 static const double bar_rad = 1e-5;
