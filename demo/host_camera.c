@@ -80,6 +80,19 @@ void host_camera_matrix(const struct host_camera *camera, float matrix[16])
     matrix[15] = 1;
 }
 
+void host_camera_eye(const struct host_camera *camera, const cupola_dome *dome, double eye[3],
+                     double world[3])
+{
+    const struct cupola_rig *rig = cupola_dome_rig(dome);
+
+    cupola_dome_to_camera(dome, rig->eye_m, eye);
+    for (int i = 0; i < 3; i++)
+        eye[i] *= rig->units_per_metre;
+    for (int i = 0; i < 3; i++)
+        world[i] = camera->place[i] + camera->rotation[i] * eye[0] +
+                   camera->rotation[3 + i] * eye[1] + camera->rotation[6 + i] * eye[2];
+}
+
 void host_camera_move(struct host_camera *camera, const double step[3])
 {
     for (int axis = 0; axis < 3; axis++)

@@ -25,6 +25,10 @@ bool host_camera_set(struct host_camera *camera, const double place[3], const do
 /* World to camera frame, column-major. */
 void host_camera_matrix(const struct host_camera *camera, float matrix[16]);
 
+/* The rig's eye in the camera's frame (scene units), and in the world. */
+void host_camera_eye(const struct host_camera *camera, const cupola_dome *dome, double eye[3],
+                     double world[3]);
+
 /* Moves along its own axes: right, up, backward. */
 void host_camera_move(struct host_camera *camera, const double step[3]);
 

@@ -28,8 +28,9 @@ static const char *picture_contradiction(const struct options *o)
         return "--frame-rate belongs to a sequence only; allowed: --show with %04d or the like in "
                "the name";
     if (o->views_given)
-        return "--layout, --views, --density, --view-size, --guard, --head-radius, --eye-circle, "
-               "--view-format, --msaa, --depth and --submission belong to views, and --show has "
+        return "--layout, --views, --goal, --density, --view-size, --guard, --head-radius, "
+               "--eye-circle, --view-format, --msaa, --depth and --submission belong to views, and "
+               "--show has "
                "none; allowed: without them";
     if (o->flat || o->camera.given || o->look.given || o->up.given)
         return "--flat, --camera, --look and --up belong to a scene, and --show has none; allowed: "

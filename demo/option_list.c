@@ -41,6 +41,7 @@ const struct option option_list[] = {
     {"layout", required_argument, NULL, OPTION_LAYOUT},
     {"views", required_argument, NULL, OPTION_VIEWS},
     {"density", required_argument, NULL, OPTION_DENSITY},
+    {"goal", required_argument, NULL, OPTION_GOAL},
     {"view-size", required_argument, NULL, OPTION_VIEW_SIZE},
     {"guard", required_argument, NULL, OPTION_GUARD},
     {"head-radius", required_argument, NULL, OPTION_HEAD_RADIUS},

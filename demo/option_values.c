@@ -170,3 +170,10 @@ bool value_name(const struct value_context *context, const char *text,
              context->option, text, list);
     return false;
 }
+
+const char *goal_name(int index)
+{
+    static const char *const names[] = {"fill", "vertices", "auto"};
+
+    return index >= 0 && index < 3 ? names[index] : NULL;
+}

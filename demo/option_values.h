@@ -55,4 +55,7 @@ bool parse_number(const char *text, double *number);
 /* The one conversion of what was typed in degrees. The text must be one for parse_number. */
 double angle_rad(const char *text_deg);
 
+/* Of enum cupola_goal, then the one that is measured; NULL beyond. */
+const char *goal_name(int index);
+
 #endif

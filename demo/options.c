@@ -218,6 +218,12 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
             return false;
         o->plan.density = wished;
         return true;
+    case OPTION_GOAL:
+        if (!value_name(c, text, goal_name, &index))
+            return false;
+        o->goal_auto = index > CUPOLA_GOAL_VERTICES;
+        o->plan.goal = o->goal_auto ? CUPOLA_GOAL_FILL : (enum cupola_goal)index;
+        return true;
     case OPTION_VIEW_SIZE:
         return value_integer(c, text, 1, 16384, &o->plan.view_size_px);
     case OPTION_GUARD:

@@ -79,6 +79,7 @@ struct options {
 
     bool views_given; /* any of the options about views */
     struct cupola_plan_params plan;
+    bool goal_auto; /* the plan's prices are measured */
     struct optional head_radius_m, eye_circle_m;
     enum cupola_table table;
     int view_format; /* -1: not given; else of enum cupola_format */

@@ -79,6 +79,7 @@ static bool create_views(struct show *show, char *message)
     }
     if (setup_has_no_views(&show->setup))
         return true;
+    show->setup.plan.earlier = NULL; /* may go before this show does */
     glGenFramebuffers(1, &show->atlas_framebuffer);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, show->atlas_framebuffer);
     glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
@@ -157,6 +158,16 @@ const struct cupola_plan_report *show_report(const struct show *show)
     return show->plan ? cupola_plan_report(show->plan) : NULL;
 }
 
+const struct cupola_cost *show_measured_cost(const struct show *show)
+{
+    return show->setup.measures_prices ? &show->setup.plan.cost : NULL;
+}
+
+const cupola_plan *show_plan(const struct show *show)
+{
+    return show->plan;
+}
+
 double show_time_tables_ms(const struct show *show)
 {
     struct cupola_gl_params params = view_wishes_params(&show->setup);
@@ -173,20 +184,6 @@ double show_time_tables_ms(const struct show *show)
     time_ms = now_ms() - start_ms;
     cupola_gl_destroy(&gl);
     return status >= 0 ? time_ms : -1;
-}
-
-/* The eye in the frame of the host's camera (scene units), and in the world. */
-static void eye_places(const struct show *show, const struct host_camera *camera, double eye[3],
-                       double world[3])
-{
-    const struct cupola_rig *rig = cupola_dome_rig(show_dome(show));
-
-    cupola_dome_to_camera(show->dome, rig->eye_m, eye);
-    for (int i = 0; i < 3; i++)
-        eye[i] *= rig->units_per_metre;
-    for (int i = 0; i < 3; i++)
-        world[i] = camera->place[i] + camera->rotation[i] * eye[0] +
-                   camera->rotation[3 + i] * eye[1] + camera->rotation[6 + i] * eye[2];
 }
 
 static bool draw_views(struct show *show, const struct show_frame *frame, const float host[16],
@@ -343,7 +340,7 @@ static bool draw_scene(struct show *show, const struct show_frame *frame,
     double eye[3], world[3], near_distance, far_distance;
 
     host_camera_matrix(frame->camera, host);
-    eye_places(show, frame->camera, eye, world);
+    host_camera_eye(frame->camera, show_dome(show), eye, world);
     scene_range_update(frame->range, frame->scene, world, &near_distance, &far_distance);
     if (show->setup.mode != SHOW_PERSPECTIVE)
         return draw_views(show, frame, host, world, near_distance, far_distance, error);

@@ -27,6 +27,7 @@ struct show_setup {
     bool picture_of_numbers;        /* a picture of floats, whose numbers are taken as they are */
     bool floats;                    /* views and images of 32-bit floats instead of 8 bits */
     bool overlays;                  /* frames have some */
+    bool measures_prices;           /* the plan's prices are measured first */
 };
 
 struct show;
@@ -34,6 +35,9 @@ struct grid;
 
 /* NULL with one line in `message`, MESSAGE_SIZE bytes. Runs where a GL context is current. */
 struct show *show_create(const struct show_setup *setup, char *message);
+
+/* The prices that the plan was made by, if they were measured; else NULL. */
+const struct cupola_cost *show_measured_cost(const struct show *show);
 
 /* NULL is allowed. */
 void show_destroy(struct show *show);
@@ -75,6 +79,9 @@ const cupola_dome *show_dome(const struct show *show);
 
 /* NULL for a perspective view, which has no plan. */
 const struct cupola_plan_report *show_report(const struct show *show);
+
+/* The plan, as long as the show lives; NULL without views. */
+const cupola_plan *show_plan(const struct show *show);
 
 /*
  * Makes the GL objects of the plan once more, tables included, and returns how long that took until

@@ -157,6 +157,13 @@ static void write_object(struct stats *stats, const struct show *show, const str
     fprintf(file, "  \"texels_allocated_per_pixel\": %.6g,\n", report->texels_allocated_per_pixel);
     fprintf(file, "  \"texels_shaded_per_pixel\": %.6g,\n", report->texels_shaded_per_pixel);
     fprintf(file, "  \"texels_sampled_per_pixel\": %.6g,\n", report->texels_sampled_per_pixel);
+    if (show_measured_cost(show)) {
+        const struct cupola_cost *cost = show_measured_cost(show);
+        fprintf(file, "  \"price_view\": %.6g,\n", cost->view);
+        fprintf(file, "  \"price_texel_allocated\": %.6g,\n", cost->texel_allocated);
+        fprintf(file, "  \"price_vertices\": %.6g,\n", cost->vertices);
+    }
+    fprintf(file, "  \"family\": \"%s\",\n", report->family);
     fprintf(file, "  \"triangles\": %ld,\n", whole.triangles);
     fprintf(file, "  \"triangles_drawn\": %ld,\n", drawn.triangles);
     fprintf(file, "  \"instances\": %ld,\n", whole.instances);

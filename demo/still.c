@@ -13,6 +13,7 @@
 #include "film_output.h"
 #include "headless.h"
 #include "output_file.h"
+#include "prices.h"
 #include "stats.h"
 #include "target.h"
 #include "world.h"
@@ -43,6 +44,9 @@ static int create(struct still *still, const struct options *options,
     mine.one_pass = still->world.way != 0;
     mine.floats |= still->world.scene && still->world.scene->needs_float;
     if (!marks_create(&still->marks, options->marks, options->mark_count, message))
+        return STATUS_FAILED;
+    if (mine.measures_prices && still->world.scene &&
+        !prices_measure(&mine, still->world.scene, &still->world.camera, message))
         return STATUS_FAILED;
     still->show = show_create(&mine, message);
     if (!still->show)

@@ -11,6 +11,7 @@
 
 #include "eye_path.h"
 #include "film_output.h"
+#include "prices.h"
 #include "stats.h"
 #include "window_state.h"
 
@@ -30,6 +31,7 @@ bool window_change(struct window *window, const struct show_setup *setup)
     struct show_setup fitted = *setup;
     struct show *show = NULL;
 
+    fitted.plan.earlier = window->show ? show_plan(window->show) : NULL;
     if (cupola_output_resize(&fitted.rig.outputs[setup->output], window->width, window->height,
                              &error) < 0 ||
         cupola_rig_complete(&fitted.rig, &fitted.rig, &error) < 0)
@@ -168,6 +170,9 @@ static int create(struct window *window, const struct options *options, FILE *ne
     window->overlay = overlay_create(message, MESSAGE_SIZE);
     window->grid = window->overlay ? grid_create(window->world.way, message, MESSAGE_SIZE) : NULL;
     if (!window->grid)
+        return STATUS_FAILED;
+    if (window->setup.measures_prices && window->world.scene &&
+        !prices_measure(&window->setup, window->world.scene, &window->world.camera, message))
         return STATUS_FAILED;
     if (!window_change(window, &window->setup)) {
         memcpy(message, window->notice, MESSAGE_SIZE);

@@ -46,7 +46,7 @@ static int choose_way(const struct options *options)
     bool automatic = options->submission == SUBMISSION_AUTO;
     int way = 0;
 
-    if (options->show || options->submission == SUBMISSION_LOOP ||
+    if (options->show || options->goal_auto || options->submission == SUBMISSION_LOOP ||
         (automatic && renderer_is_software()))
         return 0;
     way = cupola_pass_way(&error);
