@@ -1,4 +1,4 @@
-/* The table stage that a cupola_gl chooses by itself: it says which, and nothing of the rest stays. */
+/* The table stage that a cupola_gl chooses: it says which, and nothing of the others stays. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -69,7 +69,7 @@ static double apart(const struct fixture *fixture, int output, const float *a, c
     return worst;
 }
 
-/* The images of a gl that chose, against those of the stage none; the control is the other output. */
+/* The images of a gl that chose, against those of the stage none; control: the other output. */
 static void check_images(const struct cupola_rig *rig, const struct fixture *chosen)
 {
     struct fixture plain;

@@ -93,9 +93,9 @@ enum cupola_table {
     CUPOLA_TABLE_SINES,       /* their sines and cosines, the paper's choice */
     CUPOLA_TABLE_COORDINATES, /* finished coordinates in the atlas */
     /* Square tiles of 8 to 128 px, each with a polynomial of its points, to 0.002 texels and 1e-5
-     * rad: what is not lit, or cut by a rim, goes apart, and only tiles at borders of views ask each
-     * pixel which of them it falls to. The least work for a pixel, and no texture of the output's
-     * size. Needs a GL with points of 8 px. */
+     * rad: what is not lit, or cut by a rim, goes apart, and only tiles at borders of views ask
+     * each pixel which of them it falls to. The least work for a pixel, and no texture of the
+     * output's size. Needs a GL with points of 8 px. */
     CUPOLA_TABLE_TILES,
     /* The one of these that is the fastest here: cupola_gl_create draws them a few times for every
      * output, which takes a fraction of a second for each, and keeps one; cupola_gl_table tells
@@ -449,8 +449,8 @@ CUPOLA_API int cupola_gl_capture(const struct cupola_target *target, int width, 
  * The table stage that an output is warped by: what was asked for, or what auto chose.
  *
  * output   index, 0 to the number of the rig's outputs - 1
- * returns  of enum cupola_table; CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views, or there is
- *          no such output
+ * returns  of enum cupola_table; CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views, or there
+ *          is no such output
  * thread   the context's
  * since    0.1
  */
