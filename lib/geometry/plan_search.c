@@ -180,7 +180,7 @@ static bool is_hopeless(const struct search *search, double least)
     return cost > 4 * least && !(cost < little * PLAN_IMPOSSIBLE);
 }
 
-enum { FINALISTS = 6, MOVES_MAX = 150 };
+enum { FINALISTS = 4, MOVES_MAX = 100 };
 
 struct finalist {
     struct plan_family family;
@@ -362,7 +362,7 @@ static void sort_finalists(struct finalist finalists[FINALISTS])
 static void run_finals(struct search *search, struct finalist finalists[FINALISTS],
                        struct plan_choice choices[PLAN_CHOICES])
 {
-    enum { LOOSENED = 2 };
+    enum { LOOSENED = 1 };
     double half = search->samples->half_rad;
     for (int f = 0; f < FINALISTS && finalists[f].family.count > 0; f++) {
         begin_at(&finalists[f], search);
