@@ -232,9 +232,11 @@ static bool sweep(struct bench *bench, enum family family, const char *load, con
         struct json_heading heading = {family_names[family], family_names[family], *values};
         char name[32];
 
-        snprintf(name, sizeof name, load, *values);
-        if (family == FAMILY_SIZE)
+        snprintf(name, sizeof name, "%.20s:%d", load, *values);
+        if (family == FAMILY_SIZE) {
             setting.size_px = *values;
+            snprintf(name, sizeof name, "%.31s", load);
+        }
         if (!load_find(name, &bench->options.wishes, setting.size_px, &setting.load,
                        bench->message) ||
             !compare(bench, &setting, &heading, frame_contenders, FRAME_CONTENDERS))
@@ -281,13 +283,13 @@ static bool run_family(struct bench *bench, enum family family)
     case FAMILY_PARTS:
         return each_setting(bench, parts_one);
     case FAMILY_LAMPS:
-        return sweep(bench, family, "heavy:%d", lamps);
+        return sweep(bench, family, "heavy", lamps);
     case FAMILY_TRIANGLES:
-        return sweep(bench, family, "forest:%d", triangles);
+        return sweep(bench, family, "forest", triangles);
     case FAMILY_VIEWS:
         return views(bench);
     case FAMILY_SIZE:
-        return sweep(bench, family, "heavy",
+        return sweep(bench, family, options->load_given ? options->loads[0] : "heavy",
                      options->size_count > 1 ? options->sizes_px : usual_px);
     case FAMILIES:
         break;

@@ -183,6 +183,7 @@ static void set_defaults(struct options *options)
         options->fovs_deg[options->fov_count++] = 140;
     if (options->lens_count == 0)
         options->lenses[options->lens_count++] = CUPOLA_LENS_ANGULAR;
+    options->load_given = options->load_count > 0;
     if (options->load_count == 0) {
         options->loads[options->load_count++] = "light";
         options->loads[options->load_count++] = "heavy";

@@ -27,6 +27,7 @@ struct options {
     int lens_count;
     const char *loads[LIST_MAX];
     int load_count;
+    bool load_given; /* it is not the default */
     const char *contenders[LIST_MAX]; /* by name, besides the first; none: all */
     int contender_count;
     int table; /* of enum cupola_table, for whole frames */

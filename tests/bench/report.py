@@ -105,8 +105,8 @@ def table(comparison):
     unit = comparison["contenders"][0]["name"]
     lines = [
         f"### {heading(comparison)}", "", in_short(comparison), "",
-        f"| contender | ms | / {unit} | quartiles by round | the same per pixel | blits beyond 1.08 | "
-        "views | texels per pixel | of them needed | memory / output | PSNR, dB |",
+        f"| contender | ms | / {unit} | quartiles by round | the same per pixel "
+        "| blits beyond 1.08 | views | texels per pixel | of them needed | memory / output | PSNR, dB |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     lines += [row(comparison, contender) for contender in comparison["contenders"]]
@@ -137,8 +137,8 @@ def model(comparison):
     if plain is None or clear is None or not names:
         return []
     price_ns = 1e6 * (plain - clear) / comparison["size_px"] ** 2
-    return [f"Without its clear, a pixel of the perspective view costs {price_ns:.1f} ns. The frame "
-            "if a shaded texel cost the same:", "",
+    return [f"Without its clear, a pixel of the perspective view costs {price_ns:.1f} ns. "
+            "The frame if a shaded texel cost the same:", "",
             "| contender | texels, ms | clear and mask, ms | warp, ms | sum, ms | measured, ms "
             "| sum / perspective | measured / perspective | a texel's price / a pixel's |",
             "|---|---|---|---|---|---|---|---|---|",
