@@ -63,6 +63,19 @@ static const struct option long_options[] = {
     {"help", no_argument, NULL, OPTION_HELP},
     {0}};
 
+static const char *const allowed[] = {
+    [OPTION_FAMILY] = "warp, eye, frame, parts, lamps, triangles, views, size",
+    [OPTION_SIZE] = "16 to 16384, up to 16 of them",
+    [OPTION_FOV] = "1 to 300, up to 16 of them",
+    [OPTION_LENS] = "angular, hemispheric",
+    [OPTION_LOAD] = "up to 16 of them",
+    [OPTION_CONTENDERS] = "up to 32 of them",
+    [OPTION_TABLE] = "the stages by name, as cupola-demo --table has them",
+    [OPTION_FRAMES] = "1 to 100000",
+    [OPTION_WARM_UP] = "0 to 100000",
+    [OPTION_CLOCK] = "auto, wall, processor, gpu",
+};
+
 static bool read_number(const char *text, double least, double most, double *number)
 {
     char *end = NULL;
@@ -121,7 +134,7 @@ static bool add(struct options *options, int option, char *word)
         options->loads[options->load_count++] = word;
         return true;
     case OPTION_CONTENDERS:
-        if (options->contender_count >= LIST_MAX)
+        if (options->contender_count >= NAMES_MAX)
             return false;
         options->contenders[options->contender_count++] = word;
         return true;
@@ -139,8 +152,10 @@ static bool take_clock(struct options *options, const char *word)
     return false;
 }
 
-static bool take(struct options *options, int option, char *value)
+/* `word` is what is not allowed where it returns false. */
+static bool take(struct options *options, int option, char *value, const char **word)
 {
+    *word = value;
     switch (option) {
     case OPTION_TABLE:
         options->table = cupola_table_find(value);
@@ -158,9 +173,15 @@ static bool take(struct options *options, int option, char *value)
         options->output = value;
         return true;
     }
-    for (char *word = strtok(value, ","); word; word = strtok(NULL, ","))
-        if (!add(options, option, word))
+    bool any = false;
+    for (char *one = strtok(value, ","); one; one = strtok(NULL, ",")) {
+        *word = one;
+        if (!add(options, option, one))
             return false;
+        any = true;
+    }
+    if (!any)
+        return false;
     return true;
 }
 
@@ -193,6 +214,7 @@ static void set_defaults(struct options *options)
 bool options_read(struct options *options, int argc, char **argv, int *status)
 {
     int option, index = 0;
+    const char *word = NULL;
 
     *options = (struct options){.table = -1, .wishes = {.frames = 200, .warm_up = 5}};
     *status = 2;
@@ -204,9 +226,9 @@ bool options_read(struct options *options, int argc, char **argv, int *status)
         }
         if (option == '?')
             return false;
-        if (!take(options, option, optarg)) {
-            fprintf(stderr, "cupola-bench: --%s does not allow this value; see --help\n",
-                    long_options[index].name);
+        if (!take(options, option, optarg, &word)) {
+            fprintf(stderr, "cupola-bench: --%s has '%s'; allowed: %s\n", long_options[index].name,
+                    word, allowed[option]);
             return false;
         }
     }

@@ -4,7 +4,7 @@
 
 #include "comparison.h"
 
-enum { LIST_MAX = 16 };
+enum { LIST_MAX = 16, NAMES_MAX = 32 };
 
 enum family {
     FAMILY_WARP,
@@ -27,8 +27,8 @@ struct options {
     int lens_count;
     const char *loads[LIST_MAX];
     int load_count;
-    bool load_given; /* it is not the default */
-    const char *contenders[LIST_MAX]; /* by name, besides the first; none: all */
+    bool load_given;                   /* it is not the default */
+    const char *contenders[NAMES_MAX]; /* by name, besides the first; none: all */
     int contender_count;
     int table; /* of enum cupola_table, for whole frames */
     struct comparison_wishes wishes;
