@@ -79,7 +79,7 @@ BARS = [
     ("forest of a million triangles, dome / perspective", AT_MOST, 1.2, of("frame", FOREST),
      lambda one: ratio(one, "cupola-vertices")),
     ("an eye that moves adds: warps", AT_MOST, 1, of("eye", off_axis=True), eye_adds),
-    ("colour, depth and a baked warp / output", AT_MOST, 3.5, of("frame"),
+    ("colour and depth / output, without the tiles", AT_MOST, 3.5, of("frame"),
      lambda one: fact(one, "cupola", "bytes_per_output_byte")),
 ]
 
