@@ -179,8 +179,11 @@ def read_parts(paths):
     """One report of several, in which each comparison knows its number of frames."""
     parts = []
     for path in paths:
-        with open(path, encoding="utf-8") as source:
-            parts.append(json.load(source))
+        try:
+            with open(path, encoding="utf-8") as source:
+                parts.append(json.load(source))
+        except (OSError, ValueError) as error:
+            sys.exit(f"report.py: '{path}' is no whole result: {error}")
     for key in ("renderer", "processor", "clock", "llvmpipe_threads"):
         found = {part["machine"][key] for part in parts}
         if len(found) > 1:
