@@ -44,7 +44,8 @@ CUPOLA_API int cupola_cost_trial_of(const cupola_plan *plan, bool unmasked,
  * Prices from trials, by least squares with no price below 0 (C. Lawson, R. Hanson, Solving least
  * squares problems, 1974). What is the same in all trials, a warp for instance, is in no price.
  *
- * trials   3 to 64, whose amounts differ
+ * trials   whose amounts differ
+ * count    of them, 3 to 64
  * cost     out: prices in the price of a shaded texel; one that comes out as 0 is 1e-9, since 0
  *          means the default. Untouched on failure
  * error    may be NULL
