@@ -6,6 +6,7 @@
 #include "error.h"
 #include "gl_objects.h"
 #include "host_cube.h"
+#include "host_point.h"
 #include "instance.h"
 #include "program.h"
 #include "shaders.h"
@@ -229,6 +230,11 @@ static void program_begin(const cupola_gl *gl, const struct warp_program *progra
 static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,
                        const struct cupola_target *place)
 {
+    struct host_point host;
+    if (gl->guest.leaves_state)
+        host_point_set();
+    else
+        host_point_save(&host);
     host_set_viewport(&gl->features, place->x, place->y, pass->tiles.tiles.width_px,
                       pass->tiles.tiles.height_px);
     for (int kind = 0; kind < TILE_KINDS; kind++) {
@@ -239,6 +245,8 @@ static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,
         view_images_set(gl, program);
         tile_draw(&pass->tiles, kind);
     }
+    if (!gl->guest.leaves_state)
+        host_point_restore(&host);
 }
 
 void warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place)

@@ -205,6 +205,7 @@ static void reset_desktop_values(void)
     glLogicOp(GL_COPY);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glPointSize(1.0f);
+    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1.0f);
     glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
 }

@@ -284,6 +284,7 @@ static void set_clear_values(void)
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glEnable(GL_PROGRAM_POINT_SIZE);
     glPointSize(5.0f);
+    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 300.0f);
 }
 
 /* Whether it is seen to matter to the same work done without any care; see host_state.c. */

@@ -124,6 +124,8 @@ static void expect_tiles(struct snapshot *expected)
     expect(expected, GL_VERTEX_ARRAY_BINDING, 0, pass->tiles.arrays[last]);
     expect(expected, GL_VIEWPORT, 2, pass->tiles.tiles.width_px);
     expect(expected, GL_VIEWPORT, 3, pass->tiles.tiles.height_px);
+    if (!context_is_es())
+        expect(expected, GL_POINT_FADE_THRESHOLD_SIZE, 0, 1);
 }
 
 /* The last buffer of tiles that was filled anew. */

@@ -174,8 +174,9 @@ static inline void snapshot_values(struct snapshot *all)
                                    GL_UNPACK_IMAGE_HEIGHT,
                                    GL_UNPACK_SKIP_IMAGES};
     static const GLenum desktop_names[] = {
-        GL_POLYGON_MODE,      GL_LOGIC_OP_MODE,    GL_PRIMITIVE_RESTART_INDEX, GL_PROVOKING_VERTEX,
-        GL_POINT_SIZE,        GL_CLAMP_READ_COLOR, GL_PACK_SWAP_BYTES,         GL_PACK_LSB_FIRST,
+        GL_POLYGON_MODE,      GL_LOGIC_OP_MODE,    GL_PRIMITIVE_RESTART_INDEX,
+        GL_PROVOKING_VERTEX,  GL_POINT_SIZE,       GL_POINT_FADE_THRESHOLD_SIZE,
+        GL_CLAMP_READ_COLOR,  GL_PACK_SWAP_BYTES,  GL_PACK_LSB_FIRST,
         GL_PACK_IMAGE_HEIGHT, GL_UNPACK_SWAP_BYTES};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
         snapshot_floats(all, names[i], 1);
