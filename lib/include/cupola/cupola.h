@@ -9,6 +9,7 @@
 #include "dome.h"
 #include "error.h"
 #include "gl.h"
+#include "gl_params.h"
 #include "lens.h"
 #include "log.h"
 #include "one_pass.h"
