@@ -9,67 +9,12 @@
 
 #include "option_check.h"
 #include "option_list.h"
+#include "option_names.h"
 #include "option_paths.h"
 #include "scene_options.h"
 #include "short_path.h"
 
 enum { BIG = 1000000 };
-
-static const char *name_at(const char *const *names, int count, int index)
-{
-    return index >= 0 && index < count ? names[index] : NULL;
-}
-
-static const char *flip_name(int index)
-{
-    static const char *const names[] = {"x", "y", "xy"};
-    return name_at(names, 3, index);
-}
-
-static const char *preview_name(int index)
-{
-    static const char *const names[] = {"eye", "outside"};
-    return name_at(names, 2, index);
-}
-
-/* In the order of enum cupola_format. */
-static const char *view_format_name(int index)
-{
-    static const char *const names[] = {"rgba8", "rgba16f", "rgba32f", "srgb8"};
-    return name_at(names, 4, index);
-}
-
-/* In the order of enum cupola_mask. */
-static const char *mask_name(int index)
-{
-    static const char *const names[] = {"auto", "none", "depth", "stencil"};
-    return name_at(names, 4, index);
-}
-
-static const char *depth_name(int index)
-{
-    static const char *const names[] = {"forward", "reversed"};
-    return name_at(names, 2, index);
-}
-
-/* In the order of enum submission_wish. */
-static const char *submission_name(int index)
-{
-    static const char *const names[] = {"auto", "loop", "once"};
-    return name_at(names, 3, index);
-}
-
-/* Every kind of source but the views. */
-static const char *picture_kind_name(int index)
-{
-    return index >= 0 ? cupola_source_name(index + CUPOLA_SOURCE_DOMEMASTER) : NULL;
-}
-
-static const char *picture_place_name(int index)
-{
-    static const char *const names[] = {"screen", "infinity"};
-    return name_at(names, 2, index);
-}
 
 static bool vector(const struct value_context *context, const char *text, double limit,
                    struct optional *optional)
@@ -149,7 +94,7 @@ static bool take_place(const struct value_context *c, int code, const char *text
     case OPTION_VIEWS_ONLY:
         return set_mode(c, SHOW_VIEWS, &o->mode);
     case OPTION_PREVIEW:
-        return value_name(c, text, preview_name, &index) &&
+        return value_name(c, text, option_preview_name, &index) &&
                set_mode(c, index ? SHOW_PREVIEW_OUTSIDE : SHOW_PREVIEW_EYE, &o->mode);
     case OPTION_SHOW_OUTPUT:
         return value_integer(c, text, 0, CUPOLA_OUTPUTS_MAX - 1, &o->show_output);
@@ -180,7 +125,7 @@ static bool take_picture(const struct value_context *c, int code, const char *te
     case OPTION_SHOW:
         return value_path(c, text, &o->show);
     case OPTION_AS:
-        if (!value_name(c, text, picture_kind_name, &index))
+        if (!value_name(c, text, option_picture_kind_name, &index))
             return false;
         o->show_as = (enum cupola_source_kind)(index + CUPOLA_SOURCE_DOMEMASTER);
         return true;
@@ -191,7 +136,7 @@ static bool take_picture(const struct value_context *c, int code, const char *te
     case OPTION_PICTURE_AIM:
         return aim(c, text, &o->picture_aim_rad);
     default:
-        if (!value_name(c, text, picture_place_name, &index))
+        if (!value_name(c, text, option_picture_place_name, &index))
             return false;
         o->picture_place = (enum cupola_source_place)(index + CUPOLA_PLACE_SCREEN);
         return true;
@@ -234,18 +179,18 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
     case OPTION_EYE_CIRCLE:
         return number(c, text, (struct number_range){0, 1000, .above_low = true}, &o->eye_circle_m);
     case OPTION_VIEW_FORMAT:
-        return value_name(c, text, view_format_name, &o->view_format);
+        return value_name(c, text, option_view_format_name, &o->view_format);
     case OPTION_MSAA:
         return value_integer(c, text, 1, 64, &o->samples);
     case OPTION_DEPTH:
-        if (!value_name(c, text, depth_name, &index))
+        if (!value_name(c, text, option_depth_name, &index))
             return false;
         o->reversed_depth = index == 1;
         return true;
     case OPTION_MASK:
-        return value_name(c, text, mask_name, &o->mask);
+        return value_name(c, text, option_mask_name, &o->mask);
     case OPTION_SUBMISSION:
-        if (!value_name(c, text, submission_name, &index))
+        if (!value_name(c, text, option_submission_name, &index))
             return false;
         o->submission = (enum submission_wish)index;
         return true;
@@ -281,7 +226,7 @@ static bool take_rig(const struct value_context *c, int code, const char *text, 
     case OPTION_LENS_TABLE:
         return value_path(c, text, &o->lens_table);
     case OPTION_FLIP:
-        if (!value_name(c, text, flip_name, &index))
+        if (!value_name(c, text, option_flip_name, &index))
             return false;
         o->flip = index + 1; /* x 1, y 2, xy 3: the bits of enum cupola_flip */
         return true;
@@ -367,7 +312,8 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
     int code, index = 0;
     const char *problem;
 
-    *options = (struct options){.lens = -1,
+    *options = (struct options){.table = CUPOLA_TABLE_TILES,
+                                .lens = -1,
                                 .flip = -1,
                                 .shading = -1,
                                 .seed = -1,

@@ -99,7 +99,7 @@ static const char plan_text[] =
     "  --submission WAY       auto | once | loop: all views in one pass, or one by one; auto: the\n"
     "                         former where a vertex shader of a GPU can choose the view\n"
     "  --table STAGE          none | angles | sines | points | coordinates | tiles | auto:\n"
-    "                         the fastest of them here; default points\n";
+    "                         the fastest of them here; default tiles\n";
 
 static const char show_text[] =
     "\nWhat is shown (one of them; default: the dome's image)\n"
