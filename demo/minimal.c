@@ -71,7 +71,8 @@ int main(int argc, char **argv)
     cupola_plan *plan = NULL;
     /* The scene's colours are those of the screen: mixed in linear light, and encoded again. */
     const struct cupola_gl_params params = {.format = CUPOLA_FORMAT_SRGB8,
-                                            .encoding = CUPOLA_ENCODING_SRGB};
+                                            .encoding = CUPOLA_ENCODING_SRGB,
+                                            .table = CUPOLA_TABLE_TILES};
     cupola_gl *gl = NULL;
 
     if (cupola_rig_preset("visionstation", &rig, &error) < 0 ||
