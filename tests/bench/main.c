@@ -321,6 +321,46 @@ static bool run(struct bench *bench)
     return done;
 }
 
+/* Whether a name is that of a contender in any family. */
+static bool is_contender(const char *name)
+{
+    static const char *const others[] = {"clear", "clear-moving"};
+    static const char *const states[] = {"", "-moved", "-moving"};
+    int views = 0, length = 0;
+
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (strcmp(name, others[i]) == 0)
+            return true;
+    for (int i = 0; i < FRAME_CONTENDERS; i++)
+        if (strcmp(name, frame_contenders[i].name) == 0)
+            return true;
+    for (int i = 0; i < PART_CONTENDERS; i++)
+        if (strcmp(name, part_contenders[i].name) == 0)
+            return true;
+    for (int i = 0; cupola_table_name(i); i++) {
+        size_t stage = strlen(cupola_table_name(i));
+        for (size_t k = 0; k < sizeof states / sizeof *states; k++)
+            if (strncmp(name, cupola_table_name(i), stage) == 0 &&
+                strcmp(name + stage, states[k]) == 0)
+                return true;
+    }
+    return sscanf(name, "cupola-%1d-views%n", &views, &length) == 1 && length > 0 &&
+           !name[length] && views >= 1 && views <= CUPOLA_VIEWS_MAX;
+}
+
+static bool names_contenders(const struct options *options)
+{
+    for (int i = 0; i < options->contender_count; i++)
+        if (!is_contender(options->contenders[i])) {
+            fprintf(stderr,
+                    "cupola-bench: --contenders: there is no '%s'; docs/benchmarks.md has the "
+                    "names\n",
+                    options->contenders[i]);
+            return false;
+        }
+    return true;
+}
+
 int main(int argc, char **argv)
 {
     struct bench bench = {.file = stdout};
@@ -329,6 +369,8 @@ int main(int argc, char **argv)
 
     if (!options_read(&bench.options, argc, argv, &status))
         return status;
+    if (!names_contenders(&bench.options))
+        return 2;
     headless = headless_create(bench.message, sizeof bench.message);
     if (!headless) {
         fprintf(stderr, "cupola-bench: %s\n", bench.message);

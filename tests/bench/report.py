@@ -162,17 +162,25 @@ def points(family, comparisons):
 
 def plot(family, comparisons, path):
     axis, logarithmic = AXES[family]
+    """Whether there was anything to plot."""
     lines = points(family, comparisons)
+    if not lines:
+        return False
+    values = sorted({x for line in lines.values() for x, _ in line})
     script = ["set terminal pngcairo size 560,340 font 'sans,10'",
               f"set output '{path}'", "set key outside right", "set grid", "set yrange [0:*]",
               "set autoscale xfix", "set linetype 9 linecolor rgb '#806040'",
               f"set xlabel '{axis}'", "set ylabel 'frame / perspective view'"]
     if logarithmic:
         script.append("set logscale x")
+        if len(values) <= 8:
+            labels = ", ".join(f"'{value:g}' {value}" for value in values)
+            script.append(f"set xtics ({labels})")
     script.append("plot " + ", ".join(f"'-' with linespoints title '{name}'" for name in lines))
     for line in lines.values():
         script += [f"{x} {y}" for x, y in sorted(line)] + ["e"]
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
+    return True
 
 
 def read_parts(paths):
@@ -216,8 +224,8 @@ def main(folder, *paths):
         if not comparisons:
             continue
         lines += [f"## {title}", ""]
-        if family in AXES and shutil.which("gnuplot"):
-            plot(family, comparisons, os.path.join(folder, f"cost-{family}.png"))
+        picture = os.path.join(folder, f"cost-{family}.png")
+        if family in AXES and shutil.which("gnuplot") and plot(family, comparisons, picture):
             lines += [f"![{title}](cost-{family}.png)", ""]
         for comparison in comparisons:
             lines += table(comparison)
