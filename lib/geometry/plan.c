@@ -177,7 +177,9 @@ static void add_view(const struct planning *planning, const struct cupola_view *
     double rect = (double)view->rect.width * view->rect.height;
     double width = (fit->core[1] - fit->core[0]) * density[0];
     double height = (fit->core[3] - fit->core[2]) * density[1];
-    double guard = 2 * planning->params.guard_px, sampled = fit->area * density[0] * density[1];
+    double guard = 2 * planning->params.guard_px;
+    /* What two outputs see is in the area twice. */
+    double sampled = fmin(fit->area * density[0] * density[1], rect);
     report->texels_shaded_per_pixel += rect;
     report->texels_sampled_per_pixel += sampled;
     /* A shape without dents, widened by a square, gains its rectangle's sides. */
@@ -215,14 +217,7 @@ static void report_costs(const struct planning *planning, cupola_plan *plan)
         memcpy(report->family, choice->family, sizeof report->family);
     else
         snprintf(report->family, sizeof report->family, "%d", plan->view_count);
-    snprintf(report->reason, sizeof report->reason,
-             "%d %s view%s (%s) cost%s least: %.3g texels shaded under a mask and %.3g allocated "
-             "per pixel, where the eye sees %.4g degrees and the farthest ray is %.4g degrees off "
-             "a view's axis (up to 80)",
-             plan->view_count, layout_names[report->layout], plan->view_count == 1 ? "" : "s",
-             report->family, plan->view_count == 1 ? "s" : "", report->texels_masked_per_pixel,
-             report->texels_allocated_per_pixel, report->seen_fov_rad * (180 / pi),
-             farthest * (180 / pi));
+    plan_explain(params, farthest, report);
 }
 
 /* What is needed to move the eye later. */

@@ -281,6 +281,10 @@ int planning_solve(struct planning *planning, enum cupola_layout layout, int vie
 /* CUPOLA_ERROR_LAYOUT with what is allowed. */
 int plan_refuse(const struct planning *planning, struct cupola_error *error);
 
+/* The sentence of a report that is complete but for it. */
+void plan_explain(const struct cupola_plan_params *params, double farthest_rad,
+                  struct cupola_plan_report *report);
+
 /* Places rectangles, whose sizes are set, in an atlas of the least area found. */
 int plan_atlas_pack(struct cupola_view *views, int count, int max_px, int *width_px, int *height_px,
                     struct cupola_error *error);

@@ -119,19 +119,27 @@ struct cupola_plan_report {
     int atlas_height_px;               /* the same */
     double pixels;                     /* lit pixels of all outputs, partial ones in part */
     double texels_allocated_per_pixel; /* of the whole atlas */
-    double texels_shaded_per_pixel;    /* of the views, guard bands included */
-    double texels_sampled_per_pixel;   /* of the part of the views that the pixels cover */
+    double texels_shaded_per_pixel;    /* of the views' rectangles, guard bands included: what is
+                                        * shaded where nothing is masked */
+    double texels_sampled_per_pixel;   /* of the part of the views that the pixels cover. What two
+                                        * outputs cover counts twice, a view as a whole at most */
     double texels_masked_per_pixel;    /* of that with a guard band round it, which is what masks
-                                        * (gl.h) leave to be shaded, to some 2 % */
-    double cost;                       /* by struct cupola_cost, per pixel */
+                                        * (gl.h) leave to be shaded, to some 2 %; an estimate for
+                                        * hosts without masks, too */
+    double cost;                       /* what was minimised: texels shaded (masked ones, or whole
+                                        * rectangles with `unmasked`) and the prices of struct
+                                        * cupola_cost, per pixel */
     double directions_drawn;           /* of all directions round the eye, by all views together,
                                         * with objects of 2 degrees; 1: all of them once */
     double least_texels_per_pixel; /* over all pixels and directions, along a line; 1 is no loss */
     double seen_fov_rad;           /* full opening of the rays round their mean direction */
     /* How the views lie: of rotated ones the numbers in each ring round the mean seen direction,
-     * from the innermost ("1+6"); of asymmetric ones columns and rows ("3x1"). */
+     * from the innermost ("1+6"), or "free 8" where eight lie in no rings, spread so that no ray
+     * is far from an axis; of asymmetric ones columns and rows ("3x1"). A bare number: views that
+     * no pixel fell to have been left out. */
     char family[CUPOLA_FAMILY_MAX];
-    char reason[256]; /* one sentence */
+    /* One sentence: what was asked for, what is least, its cost and what that is made of. */
+    char reason[256];
 };
 
 /*
