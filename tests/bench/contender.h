@@ -14,8 +14,11 @@ struct contender_facts {
     enum shows shows;
     int views;
     double texels; /* of all views, guard bands included */
-    double masked; /* those of them that pixels sample and guard bands round them; 0: not known */
+    double
+        planned; /* those that pixels sample and guard bands round them, by the plan; 0: unknown */
+    double shaded; /* those that no mask covers, as the GL counts them; 0: not known */
     double bytes;  /* of colour and depth that the views take */
+    double tables; /* bytes of all else that is there for the warp and the mask */
     char note[256];
 };
 

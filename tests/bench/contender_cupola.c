@@ -7,15 +7,18 @@
 
 #include "bench_shaders.h"
 #include "contender.h"
+#include "footprint.h"
 #include "program.h"
 #include "scene_views.h"
+#include "shaded.h"
 
 struct cupola_frames {
     const struct setting *setting;
     struct cupola_plan_report report;
     cupola_gl *gl;
-    double eye_m[3], step_m; /* of a viewer who moves: to and fro */
-    GLuint program;          /* of the control */
+    double shaded, bytes, tables; /* see contender_facts */
+    double eye_m[3], step_m;      /* of a viewer who moves: to and fro */
+    GLuint program;               /* of the control */
     GLuint vertex_array;
 };
 
@@ -52,6 +55,18 @@ static const cupola_plan *plan_of(const cupola_dome *dome, const struct cupola_p
     return cupola_plan_create(dome, params, &last.plan, error) < 0 ? NULL : last.plan;
 }
 
+/* What the GL has of it, beyond what there was. */
+static bool take_facts(struct cupola_frames *frames, const struct footprint *before, char *message)
+{
+    struct footprint now = footprint_now();
+    double atlas = footprint_texture(cupola_gl_atlas(frames->gl));
+
+    frames->bytes = now.depth - before->depth + atlas;
+    frames->tables = now.color - before->color - atlas + now.buffers - before->buffers;
+    frames->shaded = shaded_texels(frames->gl, message);
+    return frames->shaded >= 0;
+}
+
 static struct cupola_frames *prepare(const struct setting *setting,
                                      const struct cupola_plan_params *wishes,
                                      const struct cupola_gl_params *params, char *message)
@@ -69,11 +84,13 @@ static struct cupola_frames *prepare(const struct setting *setting,
     plan.max_texture_px = largest > 16384 ? 16384 : largest;
     frames->setting = setting;
     const cupola_plan *made = plan_of(setting->dome, &plan, &error);
-    if (made && cupola_gl_create(made, params, &frames->gl, &error) >= 0) {
+    struct footprint before = footprint_now();
+    if (!made || cupola_gl_create(made, params, &frames->gl, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    } else if (take_facts(frames, &before, message)) {
         frames->report = *cupola_plan_report(made);
         return frames;
     }
-    snprintf(message, MESSAGE_SIZE, "%s", error.message);
     frames_release(frames);
     return NULL;
 }
@@ -255,8 +272,10 @@ static void frames_facts(const void *self, struct contender_facts *facts)
     *facts = (struct contender_facts){.shows = SHOWS_DOME,
                                       .views = report->views,
                                       .texels = report->texels_shaded_per_pixel * report->pixels};
-    facts->masked = report->texels_masked_per_pixel * report->pixels;
-    facts->bytes = 8.0 * report->atlas_width_px * report->atlas_height_px;
+    facts->planned = report->texels_masked_per_pixel * report->pixels;
+    facts->shaded = frames->shaded;
+    facts->bytes = frames->bytes;
+    facts->tables = frames->tables;
     snprintf(facts->note, sizeof facts->note, "%.31s: %.200s", report->family, report->reason);
 }
 

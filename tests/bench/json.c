@@ -105,9 +105,13 @@ static void put_result(FILE *file, const struct setting *setting, const struct c
         put_number(file, "ns_per_pixel", 1e6 * result->time_ms.median / pixels);
         put_number(file, "views", result->facts.views);
         put_number(file, "texels_per_pixel", result->facts.texels / pixels);
-        put_number(file, "masked_texels_per_pixel",
-                   result->facts.masked > 0 ? result->facts.masked / pixels : (double)NAN);
+        put_number(file, "planned_texels_per_pixel",
+                   result->facts.planned > 0 ? result->facts.planned / pixels : (double)NAN);
+        put_number(file, "shaded_texels_per_pixel",
+                   result->facts.shaded > 0 ? result->facts.shaded / pixels : (double)NAN);
         put_number(file, "bytes_per_output_byte", result->facts.bytes / output_bytes);
+        put_number(file, "table_bytes_per_output_byte",
+                   result->facts.planned > 0 ? result->facts.tables / output_bytes : (double)NAN);
         put_number(file, "psnr_db", result->psnr_db > 0 ? result->psnr_db : (double)NAN);
         put_text(file, "note", result->facts.note);
         fprintf(file, "\"shows_dome\": %s, ", result->facts.shows == SHOWS_DOME ? "true" : "false");
@@ -137,6 +141,10 @@ void json_comparison(FILE *file, bool first, const struct json_heading *heading,
     put_number(file, "lamps",
                wishes->shading == SCENE_HEAVY && wishes->lamps > 0 ? wishes->lamps : 0);
     put_number(file, "triangles", (double)setting->scene->whole.triangles);
+    put_number(file, "object_radius_deg",
+               setting->object_radius_rad > 0
+                   ? setting->object_radius_rad * 180 / 3.14159265358979323846
+                   : (double)NAN);
     put_number(file, "lit_pixels", setting->lit_pixels);
     put_number(file, "load_average", load_average());
     put_number(file, "reference_oversampling", reference ? reference->oversampling : (double)NAN);

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import sys
 
-from bars import bar_lines, blits_beyond, by_name, median_ms
+from bars import bar_lines, blits_beyond, by_name, frames_of, median_ms, memory_lines
 
 # What is drawn of each family that varies one thing: its axis, and whether that is logarithmic.
 AXES = {
@@ -69,19 +69,22 @@ def moved(found):
 def in_short(comparison):
     """What the unit costs."""
     found = by_name(comparison)
-    run = (f" Medians of {comparison['frames']} frames, "
+    run = (f" Medians of {frames_of(comparison)}, "
            f"load average {comparison['load_average']:.1f}.")
     if "perspective" not in found:
         return f"A blit: {found['blit']['time_ms'][1]:.2f} ms.{moved(found)}{run}"
     plain = found["perspective"]
     text = (f"The perspective view of {comparison['plain_fov_deg']:.0f}°: "
             f"{plain['time_ms'][1]:.2f} ms, {plain['ns_per_pixel']:.1f} ns per pixel.")
+    if comparison.get("object_radius_deg"):
+        text += (f" Median of the trees' angular radii from the camera: "
+                 f"{comparison['object_radius_deg']:.2f}°.")
     return text + run
 
 
 def row(comparison, contender):
     if not contender["took_part"]:
-        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 9
+        return f"| {contender['name']} | {contender['skipped']} |" + " |" * 11
     plain = comparison["contenders"][0]
     whole = contender["shows_dome"] and comparison["family"] not in WARPS + ("parts",)
     per_pixel = contender["ns_per_pixel"] / plain["ns_per_pixel"]
@@ -94,8 +97,10 @@ def row(comparison, contender):
         number(blits_beyond(comparison, contender["name"]) if whole else None, 1),
         str(int(contender["views"])) if contender["views"] else "–",
         number(contender["texels_per_pixel"] or None),
-        number(contender["masked_texels_per_pixel"]),
+        number(contender["planned_texels_per_pixel"]),
+        number(contender["shaded_texels_per_pixel"]),
         number(contender["bytes_per_output_byte"] or None),
+        number(contender["table_bytes_per_output_byte"]),
         number(contender["psnr_db"], 1),
     ]
     return "| " + " | ".join(cells) + " |"
@@ -106,8 +111,9 @@ def table(comparison):
     lines = [
         f"### {heading(comparison)}", "", in_short(comparison), "",
         f"| contender | ms | / {unit} | quartiles by round | the same per pixel "
-        "| blits beyond 1.08 | views | texels per pixel | of them needed | memory / output | PSNR, dB |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
+        "| blits beyond 1.08 | views | texels per pixel | of them planned "
+        "| shaded | views' bytes / output | table's bytes | PSNR, dB |",
+        "|---|---|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     lines += [row(comparison, contender) for contender in comparison["contenders"]]
     return lines + [""] + model(comparison)
@@ -115,8 +121,7 @@ def table(comparison):
 
 def model_row(comparison, name, price_ns):
     """A frame as the sum of its parts, if a texel cost what a pixel of the plain view does."""
-    key = "texels_per_pixel" if "unmasked" in name else "masked_texels_per_pixel"
-    texels = by_name(comparison)[name][key] * comparison["lit_pixels"]
+    texels = by_name(comparison)[name]["shaded_texels_per_pixel"] * comparison["lit_pixels"]
     shading = 1e-6 * price_ns * texels
     clear, views = median_ms(comparison, f"{name}-clear"), median_ms(comparison, f"{name}-views")
     warp, whole = median_ms(comparison, "cupola-warp"), median_ms(comparison, name)
@@ -203,10 +208,24 @@ def read_parts(paths):
             "comparisons": [one for part in parts for one in part["comparisons"]]}
 
 
+def fill_quality(comparisons):
+    """Where no pictures were compared: what they were at the same setting elsewhere."""
+    keys = ("size_px", "lens", "fov_deg", "off_axis", "load", "table")
+    known = {}
+    for one in comparisons:
+        for name, contender in by_name(one).items():
+            if contender["psnr_db"] is not None:
+                known.setdefault((name, *(one[key] for key in keys)), contender["psnr_db"])
+    for one in comparisons:
+        for name, contender in by_name(one).items():
+            if contender["psnr_db"] is None:
+                contender["psnr_db"] = known.get((name, *(one[key] for key in keys)))
+
+
 def machine_lines(machine):
     return [
         "# What a dome costs", "",
-        "Made by `script/bench cost`; docs/benchmarks.md says what each figure is.",
+        "Made by `script/bench`; docs/benchmarks.md says what each figure is.",
         "",
         f"- renderer: {machine['renderer']}, {machine['gl_version']}",
         f"- processor: {machine['processor']}, {machine['processors']:.0f} of them",
@@ -218,7 +237,9 @@ def machine_lines(machine):
 def main(folder, *paths):
     report = read_parts(paths)
     os.makedirs(folder, exist_ok=True)
-    lines = machine_lines(report["machine"]) + bar_lines(report["comparisons"])
+    fill_quality(report["comparisons"])
+    lines = (machine_lines(report["machine"]) + bar_lines(report["comparisons"])
+             + memory_lines(report["comparisons"]))
     for family, title in TITLES.items():
         comparisons = [one for one in report["comparisons"] if one["family"] == family]
         if not comparisons:

@@ -3,8 +3,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include <epoxy/gl.h>
+
+#include "forest.h"
 
 static const double plain_fov_most_rad = 140 * 3.14159265358979323846 / 180;
 
@@ -34,6 +37,54 @@ static void place_camera(struct setting *setting, const struct scene *scene)
     setting->depth.far_distance = 2 + 1.01 * (sqrt(away) + scene->radius);
 }
 
+static int compare_numbers(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+
+    return (x > y) - (x < y);
+}
+
+/* The median of the trees' angular radii; 0 where memory is short. */
+static double median_radius_rad(const struct forest *forest, const double eye[3])
+{
+    size_t all = 0, count = 0;
+    double *radii, median;
+
+    for (int kind = 0; kind < FOREST_KINDS; kind++)
+        all += (size_t)forest->tree_count[kind];
+    radii = malloc((all + 1) * sizeof *radii);
+    if (!radii || all == 0) {
+        free(radii);
+        return 0;
+    }
+    for (int kind = 0; kind < FOREST_KINDS; kind++)
+        for (int i = 0; i < forest->tree_count[kind]; i++) {
+            const struct forest_tree *tree = &forest->trees[kind][i];
+            double away = 0;
+            for (int k = 0; k < 3; k++)
+                away += pow((double)tree->place[k] - eye[k], 2);
+            radii[count++] = asin(fmin(1, (double)tree->radius / fmax(sqrt(away), 1e-9)));
+        }
+    qsort(radii, count, sizeof *radii, compare_numbers);
+    median = radii[count / 2];
+    free(radii);
+    return median;
+}
+
+/* The scene's forest once more, in plain arrays. */
+static double forest_radius_rad(const struct load *load, const double eye[3])
+{
+    struct forest forest;
+    double radius_rad;
+
+    if (load->kind != SCENE_FOREST ||
+        !forest_create(&forest, load->wishes.triangles, load->wishes.seed))
+        return 0;
+    radius_rad = median_radius_rad(&forest, eye);
+    forest_destroy(&forest);
+    return radius_rad;
+}
+
 bool setting_create(struct setting *setting, struct scene *scene, char *message)
 {
     struct cupola_error error = {0};
@@ -61,6 +112,7 @@ bool setting_create(struct setting *setting, struct scene *scene, char *message)
     setting->scene = scene;
     setting->lit_pixels = count_lit_pixels(setting);
     place_camera(setting, scene);
+    setting->object_radius_rad = forest_radius_rad(&setting->load, scene->suggested);
     return true;
 }
 

@@ -38,6 +38,7 @@ struct setting {
     double eye[3];             /* of every view, camera frame, scene units */
     float host[16];            /* world to camera frame, column-major */
     struct cupola_depth depth; /* near and far for every view */
+    double object_radius_rad;  /* median of the forest's trees from the camera; else 0 */
     double lit_pixels;         /* of the image circle, those at the rim in part */
 };
 
