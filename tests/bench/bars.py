@@ -130,8 +130,8 @@ def bar_lines(comparisons):
                for family in ("frame", "warp", "eye")):
         return []
     return [f"## What is promised: {SIZE_PX} px, {LENS} {FOV_DEG}°, no loss", "",
-            "Guard bands have 2 texels. Each figure is the worst of what was measured below. Texels are "
-            "those that an occlusion query counts, bytes those of the GL's objects.", "",
+            "Guard bands have 2 texels. Each figure is the worst of what was measured below. "
+            "Texels are those that an occlusion query counts, bytes those of the GL's objects.", "",
             "| what | promised | measured | kept | where |", "|---|---|---|---|---|", *rows, ""]
 
 

@@ -46,7 +46,7 @@ struct setting {
 bool setting_create(struct setting *setting, struct scene *scene, char *message);
 void setting_destroy(struct setting *setting);
 
-/* The scene of a load, for all views in one pass, too, where the GL can; NULL with one line in `message`. */
+/* A load's scene, for one pass, too, where the GL can; NULL with one line in `message`. */
 struct scene *setting_scene(const struct load *load, char *message);
 
 /* Fov of the plain view that a dome's frame is compared with: the dome's, at most 140 degrees. */
