@@ -86,7 +86,7 @@ int main(int argc, char **argv)
             return complain(status, message);
         setup.plan = options.plan;
         setup.plan.head_radius_m = eye_path_head_radius_m(&options);
-        setup.measures_prices = options.goal_auto;
+        setup.measures_prices = options_time_views(&options);
         setup.table = options.table;
         setup.view_format = options.view_format;
         setup.samples = options.samples;

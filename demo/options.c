@@ -307,6 +307,11 @@ static void unknown_option(int argc, char **argv, int code, char *message)
                  "unknown option '%.200s'; cupola-demo --help names the allowed ones", given);
 }
 
+bool options_time_views(const struct options *options)
+{
+    return options->goal_auto && options->mode != SHOW_PERSPECTIVE;
+}
+
 int options_parse(int argc, char **argv, struct options *options, char *message)
 {
     int code, index = 0;

@@ -119,6 +119,9 @@ int options_output(const struct options *options);
 /* What the options wish of a scene. */
 struct scene_wishes options_scene_wishes(const struct options *options);
 
+/* Whether the plan's prices are to be measured, by drawing the scene's views. */
+bool options_time_views(const struct options *options);
+
 /* Whether the scene's colours are numbers. */
 bool options_scene_is_numbers(const struct options *options);
 

@@ -60,6 +60,7 @@ bool prices_measure(struct show_setup *setup, struct scene *scene, const struct 
         return true;
     if (status == CUPOLA_ERROR_ARGUMENT) {
         fprintf(stderr, "cupola-demo: --goal auto: %s; usual prices are taken\n", error.message);
+        setup->measures_prices = false;
         return true;
     }
     snprintf(message, MESSAGE_SIZE, "--goal auto: %s", error.message);

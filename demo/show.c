@@ -158,9 +158,16 @@ const struct cupola_plan_report *show_report(const struct show *show)
     return show->plan ? cupola_plan_report(show->plan) : NULL;
 }
 
-const struct cupola_cost *show_measured_cost(const struct show *show)
+const struct show_setup *show_setup_of(const struct show *show)
 {
-    return show->setup.measures_prices ? &show->setup.plan.cost : NULL;
+    return &show->setup;
+}
+
+const char *show_table(const struct show *show)
+{
+    int table = show->gl ? cupola_gl_table(show->gl, show->setup.output) : -1;
+
+    return table >= 0 ? cupola_table_name(table) : NULL;
 }
 
 const cupola_plan *show_plan(const struct show *show)

@@ -27,7 +27,7 @@ struct show_setup {
     bool picture_of_numbers;        /* a picture of floats, whose numbers are taken as they are */
     bool floats;                    /* views and images of 32-bit floats instead of 8 bits */
     bool overlays;                  /* frames have some */
-    bool measures_prices;           /* the plan's prices are measured first */
+    bool measures_prices;           /* the plan's prices are, or have been, measured */
 };
 
 struct show;
@@ -36,8 +36,11 @@ struct grid;
 /* NULL with one line in `message`, MESSAGE_SIZE bytes. Runs where a GL context is current. */
 struct show *show_create(const struct show_setup *setup, char *message);
 
-/* The prices that the plan was made by, if they were measured; else NULL. */
-const struct cupola_cost *show_measured_cost(const struct show *show);
+/* What the show was made from. */
+const struct show_setup *show_setup_of(const struct show *show);
+
+/* The name of the table stage by which the output that is shown is warped; NULL where none is. */
+const char *show_table(const struct show *show);
 
 /* NULL is allowed. */
 void show_destroy(struct show *show);

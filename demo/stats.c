@@ -9,6 +9,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "option_names.h"
 #include "short_path.h"
 
 enum { TABLE_RUNS = 4 };
@@ -127,6 +128,47 @@ static void write_string(FILE *file, const char *text)
     fputc('"', file);
 }
 
+/* A price of nothing is 1e-9 to the planner, for which 0 means the usual one. */
+static void write_price(FILE *file, const char *name, double price)
+{
+    fprintf(file, "  \"%s\": %.6g,\n", name, price > 1.5e-9 ? price : 0);
+}
+
+/* A name, or null. */
+static void write_name(FILE *file, const char *key, const char *name)
+{
+    fprintf(file, "  \"%s\": ", key);
+    if (name)
+        write_string(file, name);
+    else
+        fputs("null", file);
+    fputs(",\n", file);
+}
+
+/* How the views are drawn; null where no views are. */
+static void write_ways(FILE *file, const struct show *show)
+{
+    const struct show_setup *setup = show_setup_of(show);
+    bool views = show_plan(show) && setup->source == CUPOLA_SOURCE_VIEWS;
+    const char *mask = setup->mask == CUPOLA_MASK_AUTO ? option_mask_name(CUPOLA_MASK_DEPTH)
+                                                       : option_mask_name((int)setup->mask);
+
+    write_name(file, "mask", views ? mask : NULL);
+    write_name(file, "submission", views ? (setup->one_pass ? "once" : "loop") : NULL);
+    write_name(file, "table", views ? show_table(show) : NULL);
+}
+
+static void write_texels(FILE *file, const struct cupola_plan_report *report, bool masked)
+{
+    double shaded = masked ? report->texels_masked_per_pixel : report->texels_shaded_per_pixel;
+
+    fprintf(file, "  \"texels_allocated_per_pixel\": %.6g,\n", report->texels_allocated_per_pixel);
+    fprintf(file, "  \"texels_in_views_per_pixel\": %.6g,\n", report->texels_shaded_per_pixel);
+    fprintf(file, "  \"texels_shaded_per_pixel\": %.6g,\n", shaded);
+    fprintf(file, "  \"texels_masked_per_pixel\": %.6g,\n", report->texels_masked_per_pixel);
+    fprintf(file, "  \"texels_sampled_per_pixel\": %.6g,\n", report->texels_sampled_per_pixel);
+}
+
 static void write_object(struct stats *stats, const struct show *show, const struct scene *scene,
                          const char *renderer, FILE *file)
 {
@@ -136,8 +178,11 @@ static void write_object(struct stats *stats, const struct show *show, const str
         .texels_allocated_per_pixel = 1,
         .texels_shaded_per_pixel = 1,
         .texels_sampled_per_pixel = 1,
+        .texels_masked_per_pixel = 1,
+        .reason = "a perspective view has no plan",
     };
     const struct cupola_plan_report *report = show_report(show);
+    const struct show_setup *setup = show_setup_of(show);
     /* Films have no scene. */
     const struct scene_counts whole = scene ? scene->whole : (struct scene_counts){0, 0};
     const struct scene_counts drawn = scene ? scene->drawn : (struct scene_counts){0, 0};
@@ -154,16 +199,16 @@ static void write_object(struct stats *stats, const struct show *show, const str
     write_series(file, "tables_ms", &stats->tables_ms);
     write_series(file, "warp_ms", &stats->warp_ms);
     fprintf(file, "  \"views\": %d,\n", report->views);
-    fprintf(file, "  \"texels_allocated_per_pixel\": %.6g,\n", report->texels_allocated_per_pixel);
-    fprintf(file, "  \"texels_shaded_per_pixel\": %.6g,\n", report->texels_shaded_per_pixel);
-    fprintf(file, "  \"texels_sampled_per_pixel\": %.6g,\n", report->texels_sampled_per_pixel);
-    if (show_measured_cost(show)) {
-        const struct cupola_cost *cost = show_measured_cost(show);
-        fprintf(file, "  \"price_view\": %.6g,\n", cost->view);
-        fprintf(file, "  \"price_texel_allocated\": %.6g,\n", cost->texel_allocated);
-        fprintf(file, "  \"price_vertices\": %.6g,\n", cost->vertices);
+    write_texels(file, report, setup->mask != CUPOLA_MASK_NONE);
+    if (setup->measures_prices) {
+        write_price(file, "price_view", setup->plan.cost.view);
+        write_price(file, "price_texel_allocated", setup->plan.cost.texel_allocated);
+        write_price(file, "price_vertices", setup->plan.cost.vertices);
     }
-    fprintf(file, "  \"family\": \"%s\",\n", report->family);
+    fprintf(file, "  \"family\": \"%s\",\n  \"reason\": ", report->family);
+    write_string(file, report->reason);
+    fputs(",\n", file);
+    write_ways(file, show);
     fprintf(file, "  \"triangles\": %ld,\n", whole.triangles);
     fprintf(file, "  \"triangles_drawn\": %ld,\n", drawn.triangles);
     fprintf(file, "  \"instances\": %ld,\n", whole.instances);

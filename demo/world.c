@@ -46,9 +46,15 @@ static int choose_way(const struct options *options)
     bool automatic = options->submission == SUBMISSION_AUTO;
     int way = 0;
 
-    if (options->show || options->goal_auto || options->submission == SUBMISSION_LOOP ||
-        (automatic && renderer_is_software()))
+    if (options->show || options->submission == SUBMISSION_LOOP ||
+        (automatic && (options_time_views(options) || renderer_is_software())))
         return 0;
+    if (options_time_views(options)) {
+        fputs("cupola-demo: --submission once: --goal auto times views one by one; the views are "
+              "drawn one by one\n",
+              stderr);
+        return 0;
+    }
     way = cupola_pass_way(&error);
     if (options->submission == SUBMISSION_ONCE && way < 0)
         fprintf(stderr, "cupola-demo: --submission once: %s; the views are drawn one by one\n",

@@ -36,7 +36,7 @@ void plan_explain(const struct cupola_plan_params *params, double farthest_rad,
 {
     char drawn[64] = "", texels[64], seen[16];
     bool single = report->views == 1;
-    if (params->cost.vertices > 0)
+    if (params->cost.vertices > 1e-8) /* 1e-9 stands for nothing */
         snprintf(drawn, sizeof drawn, "%.3g of all objects drawn, ", report->directions_drawn);
     write_texels(params, report, texels);
     snprintf(seen, sizeof seen, "%.4g", report->seen_fov_rad * (180 / pi));
