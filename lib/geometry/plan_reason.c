@@ -34,7 +34,7 @@ static void write_texels(const struct cupola_plan_params *params,
 void plan_explain(const struct cupola_plan_params *params, double farthest_rad,
                   struct cupola_plan_report *report)
 {
-    char drawn[64] = "", texels[64], seen[16];
+    char drawn[40] = "", texels[64], seen[16];
     bool single = report->views == 1;
     if (params->cost.vertices > 1e-8) /* 1e-9 stands for nothing */
         snprintf(drawn, sizeof drawn, "%.3g of all objects drawn, ", report->directions_drawn);
