@@ -16,7 +16,7 @@ static const char *choice_text(const struct cupola_plan_params *params, bool sin
     if (params->layout == CUPOLA_LAYOUT_ROTATED && params->views == 0)
         return single ? ", rotated as asked, costs least," : ", rotated as asked, cost least,";
     if (params->views == 0)
-        return ", the layout as asked, as many as usual, cost";
+        return ", layout as asked, number usual, cost";
     return single ? ", as asked, costs" : ", as asked, cost";
 }
 
@@ -27,21 +27,21 @@ static void write_texels(const struct cupola_plan_params *params,
     if (params->unmasked)
         snprintf(text, 64, "%.3g shaded, all there are", report->texels_shaded_per_pixel);
     else
-        snprintf(text, 64, "%.3g shaded under a mask, of %.3g in rectangles",
+        snprintf(text, 64, "%.3g shaded under a mask, of %.3g in all",
                  report->texels_masked_per_pixel, report->texels_shaded_per_pixel);
 }
 
 void plan_explain(const struct cupola_plan_params *params, double farthest_rad,
                   struct cupola_plan_report *report)
 {
-    char drawn[40] = "", texels[64], seen[16];
+    char drawn[40] = "", texels[64], seen[12];
     bool single = report->views == 1;
     if (params->cost.vertices > 1e-8) /* 1e-9 stands for nothing */
         snprintf(drawn, sizeof drawn, "%.3g of all objects drawn, ", report->directions_drawn);
     write_texels(params, report, texels);
     snprintf(seen, sizeof seen, "%.4g", report->seen_fov_rad * (180 / pi));
     snprintf(report->reason, sizeof report->reason,
-             "%d %s view%s (%s)%s %.3g texels a pixel: %s%s; the eye sees %s degree%s, rays lie up "
+             "%d %s view%s (%s)%s %.3g texels a pixel: %s%s; the eye sees %s degree%s, rays are up "
              "to %.3g (of 80) off a view's axis",
              report->views, cupola_layout_name((int)report->layout), single ? "" : "s",
              report->family, choice_text(params, single), report->cost, drawn, texels, seen,

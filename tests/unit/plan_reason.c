@@ -33,7 +33,7 @@ static void what_is_least_is_said_only_of_what_was_chosen(void **state)
     wishes.layout = CUPOLA_LAYOUT_ASYMMETRIC;
     check_reason(140.0, &wishes, "3 asymmetric views (1x3), as asked, cost ", "least");
     wishes.views = 0;
-    check_reason(140.0, &wishes, ", the layout as asked, as many as usual, cost ", "least");
+    check_reason(140.0, &wishes, ", layout as asked, number usual, cost ", "least");
     wishes.layout = CUPOLA_LAYOUT_ROTATED;
     check_reason(140.0, &wishes, " rotated views (", "asymmetric");
     check_reason(140.0, &wishes, ", rotated as asked, cost least, ", NULL);
