@@ -86,7 +86,7 @@ enum cupola_mask {
     CUPOLA_MASK_DEPTH,
     /* Masked texels have stencil 128, all others 0: the host draws with glStencilFunc(GL_EQUAL, 0,
      * 128) and leaves that bit alone. For hosts that write depth without testing it, or read it
-     * afterwards. Needs a depth format with stencil. */
+     * afterwards. Needs a depth format with stencil, which the usual one, 32F, is not. */
     CUPOLA_MASK_STENCIL,
 };
 
