@@ -50,9 +50,9 @@ static int complete_prices(struct cupola_plan_params *params, struct cupola_erro
         (status = check_price("price of all vertices", cost->vertices, error)) < 0)
         return status;
     if (cost->view == 0)
-        cost->view = 0.005;
+        cost->view = PLAN_VIEW_USUAL;
     if (cost->texel_allocated == 0)
-        cost->texel_allocated = 0.05;
+        cost->texel_allocated = PLAN_ALLOCATED_USUAL;
     if (cost->vertices == 0 && params->goal == CUPOLA_GOAL_VERTICES)
         cost->vertices = 100;
     return CUPOLA_OK;

@@ -33,6 +33,10 @@
 /* A view's axis and a ray that falls to it are at most 80 degrees apart: the cosine of that. */
 #define PLAN_REACH_COSINE 0.17364817766693033
 
+/* What 0 means in struct cupola_cost. */
+#define PLAN_VIEW_USUAL      0.005
+#define PLAN_ALLOCATED_USUAL 0.05
+
 /* fmin and fmax without their care for NaN: compilers make one instruction of these. */
 static inline double smaller(double a, double b)
 {

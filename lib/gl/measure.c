@@ -1,24 +1,14 @@
 /* Prices for the planner, by drawing a few plans in turn. */
-#include <epoxy/gl.h>
 #include <math.h>
 #include <stdlib.h>
-#include <time.h>
 
-#include "cupola/cost.h"
+#include "clock.h"
 #include "error.h"
+#include "geometry/cost_trials.h"
+#include "instance.h"
 
-enum { TRIALS = 5, ROUNDS = 5 };
-
-/* What a trial wishes otherwise. */
-struct variation {
-    int views;      /* 0: any number */
-    double density; /* times what is wished */
-    int guard;      /* texels more for every pixel of the largest output's side / 1000 */
-};
-
-/* Shading, rectangles, views and objects that are drawn twice, each changed with few others. */
-static const struct variation variations[TRIALS] = {
-    {0, 1, 0}, {0, 0.5, 0}, {5, 1, 0}, {0, 1, 30}, {8, 0.5, 0}};
+/* The last trial is a frame of which nothing is drawn: what a frame takes whatever it shows. */
+enum { BARE = COST_TRIALS, TRIALS, ROUNDS = 5 };
 
 struct trial {
     cupola_plan *plan;
@@ -26,66 +16,33 @@ struct trial {
     struct cupola_cost_trial amounts;
 };
 
-static int largest_side_px(const cupola_dome *dome)
+static int check_storage(const struct cupola_gl_params *params, struct cupola_error *error)
 {
-    const struct cupola_rig *rig = cupola_dome_rig(dome);
-    int side = 1;
-    for (int i = 0; i < rig->output_count; i++) {
-        side = rig->outputs[i].width_px > side ? rig->outputs[i].width_px : side;
-        side = rig->outputs[i].height_px > side ? rig->outputs[i].height_px : side;
-    }
-    return side;
+    if (!params || params->storage == CUPOLA_STORAGE_ATLAS)
+        return CUPOLA_OK;
+    return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                     "storage is %d; allowed: %d, the atlas, since prices are measured by drawing "
+                     "into views of the library's own",
+                     (int)params->storage, CUPOLA_STORAGE_ATLAS);
 }
 
-static int plan_trial(const cupola_dome *dome, const struct cupola_plan_params *wishes, int index,
-                      struct trial *trial, struct cupola_error *error)
-{
-    struct cupola_plan_params params = wishes ? *wishes : (struct cupola_plan_params){0};
-    const struct variation *variation = &variations[index];
-    int more = variation->guard * largest_side_px(dome) / 1000;
-    double density = params.density > 0 ? params.density : 1;
-    params.cost = (struct cupola_cost){0};
-    params.earlier = NULL;
-    params.view_size_px = 0;
-    params.views = variation->views;
-    params.density = fmax(density * variation->density, 1.0 / 16);
-    params.guard_px = (params.guard_px > 0 ? params.guard_px : 2) + more;
-    if (params.guard_px > 256)
-        params.guard_px = 256;
-    int status = cupola_plan_create(dome, &params, &trial->plan, error);
-    /* Few views do not reach every ray of a wide dome. */
-    if (status == CUPOLA_ERROR_LAYOUT && params.views > 0) {
-        params.views = CUPOLA_VIEWS_MAX;
-        status = cupola_plan_create(dome, &params, &trial->plan, error);
-    }
-    if (status == CUPOLA_OK)
-        cupola_cost_trial_of(trial->plan, params.unmasked, &trial->amounts);
-    return status;
-}
-
-static int make_trials(const cupola_dome *dome, const struct cupola_plan_params *wishes,
-                       const struct cupola_gl_params *params, struct trial trials[TRIALS],
-                       struct cupola_error *error)
+static int make_trial(const cupola_dome *dome, const struct cupola_plan_params *wishes,
+                      const struct cupola_gl_params *params, int index, struct trial *trial,
+                      struct cupola_error *error)
 {
     struct cupola_gl_params lean = params ? *params : (struct cupola_gl_params){0};
     lean.table = CUPOLA_TABLE_NONE;
     lean.sources = 1u << CUPOLA_SOURCE_VIEWS;
     lean.overlays = false;
-    for (int i = 0; i < TRIALS; i++) {
-        int status = plan_trial(dome, wishes, i, &trials[i], error);
-        if (status == CUPOLA_OK)
-            status = cupola_gl_create(trials[i].plan, &lean, &trials[i].gl, error);
-        if (status != CUPOLA_OK)
-            return status;
-    }
-    return CUPOLA_OK;
-}
-
-static double now_s(void)
-{
-    struct timespec now = {0, 0};
-    timespec_get(&now, TIME_UTC);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    if (cost_trial_is_maskless(index))
+        lean.mask = CUPOLA_MASK_NONE;
+    int status = cost_trial_plan(dome, wishes, index, &trial->plan, error);
+    if (status == CUPOLA_OK)
+        status = cupola_gl_create(trial->plan, &lean, &trial->gl, error);
+    if (status == CUPOLA_OK)
+        cupola_cost_trial_of(trial->plan, trial->gl->mask.kind == CUPOLA_MASK_NONE,
+                             &trial->amounts);
+    return status;
 }
 
 static int draw_frame(cupola_gl *gl, const struct cupola_frame *frame, cupola_draw_view *draw,
@@ -105,6 +62,16 @@ static int draw_frame(cupola_gl *gl, const struct cupola_frame *frame, cupola_dr
     return views > 0 ? CUPOLA_OK : views;
 }
 
+/* One view, and that empty. */
+static int draw_bare(cupola_gl *gl, const struct cupola_frame *frame, struct cupola_error *error)
+{
+    struct cupola_gl_view view;
+    int status = cupola_gl_frame_begin(gl, frame, error);
+    if (status > 0)
+        status = cupola_gl_view_begin(gl, 0, &view, error);
+    return status == CUPOLA_OK ? cupola_gl_view_end(gl, error) : status;
+}
+
 /* The first round warms up: drivers compile as things are first drawn. */
 static int time_trials(struct trial trials[TRIALS], const struct cupola_frame *frame,
                        cupola_draw_view *draw, void *user, struct cupola_error *error)
@@ -112,14 +79,15 @@ static int time_trials(struct trial trials[TRIALS], const struct cupola_frame *f
     for (int round = 0; round <= ROUNDS; round++)
         for (int i = 0; i < TRIALS; i++) {
             glFinish();
-            double begin = now_s();
-            int status = draw_frame(trials[i].gl, frame, draw, user, error);
+            double begin_s = clock_now_s();
+            int status = i == BARE ? draw_bare(trials[BARE - 1].gl, frame, error)
+                                   : draw_frame(trials[i].gl, frame, draw, user, error);
             if (status != CUPOLA_OK)
                 return status;
             glFinish();
-            double took = fmax(now_s() - begin, 0);
-            if (round == 1 || (round > 1 && took < trials[i].amounts.seconds))
-                trials[i].amounts.seconds = took;
+            double took_s = clock_now_s() - begin_s;
+            if (round == 1 || (round > 1 && took_s < trials[i].amounts.seconds))
+                trials[i].amounts.seconds = took_s;
         }
     return CUPOLA_OK;
 }
@@ -135,7 +103,9 @@ int cupola_gl_measure_cost(const cupola_dome *dome, const struct cupola_plan_par
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL; allowed: %s",
                          !dome ? "dome" : (!draw ? "draw" : "cost"),
                          !dome ? "a dome" : (!draw ? "a function" : "a place for prices"));
-    int status = make_trials(dome, wishes, params, trials, error);
+    int status = check_storage(params, error);
+    for (int i = 0; i < COST_TRIALS && status == CUPOLA_OK; i++)
+        status = make_trial(dome, wishes, params, i, &trials[i], error);
     if (status == CUPOLA_OK)
         status = time_trials(trials, frame, draw, user, error);
     for (int i = 0; i < TRIALS; i++) {

@@ -5,8 +5,8 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
+#include "clock.h"
 #include "gl_objects.h"
 #include "instance.h"
 
@@ -21,13 +21,6 @@ static const enum cupola_table stages[] = {CUPOLA_TABLE_TILES,  CUPOLA_TABLE_COO
                                            CUPOLA_TABLE_ANGLES, CUPOLA_TABLE_SINES};
 
 enum { STAGES = sizeof stages / sizeof stages[0] };
-
-static double now_s(void)
-{
-    struct timespec time = {0, 0};
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 /* Tables by the CPU take seconds; those that depend on the eye are drawn anew whenever it moves. */
 static bool is_candidate(const cupola_gl *gl, enum cupola_table stage)
@@ -47,10 +40,10 @@ static double time_of(cupola_gl *gl, int output, const struct warp_pass *pass,
     gl->passes[output] = *pass;
     glBindFramebuffer(GL_FRAMEBUFFER, place->framebuffer);
     glFinish();
-    double begin_s = now_s();
+    double begin_s = clock_now_s();
     warp_draw_views(gl, output, place);
     glFinish();
-    return now_s() - begin_s;
+    return clock_now_s() - begin_s;
 }
 
 static double median(double *times, int count)
@@ -64,20 +57,26 @@ static double median(double *times, int count)
     return times[count / 2];
 }
 
-/* What two passes take, s; fewer rounds where the second one is out of the question. */
-static void duel(cupola_gl *gl, int output, const struct warp_pass *passes,
-                 const struct cupola_target *place, double taken_s[2])
+/*
+ * What two passes take, s; fewer rounds where the second one is out of the question, or time is up.
+ * False where it is up before they were drawn once each.
+ */
+static bool duel(cupola_gl *gl, int output, const struct warp_pass *passes,
+                 const struct cupola_target *place, double end_s, double taken_s[2])
 {
     double times[2][ROUNDS];
     int rounds = 0;
     time_of(gl, output, &passes[1], place); /* the first one compiles */
-    do {
+    while (rounds < ROUNDS && clock_now_s() < end_s) {
         for (int i = 0; i < 2; i++)
             times[i][rounds] = time_of(gl, output, &passes[i], place);
         rounds++;
-    } while (rounds < ROUNDS && times[1][rounds - 1] < 1.2 * times[0][rounds - 1]);
-    for (int i = 0; i < 2; i++)
+        if (times[1][rounds - 1] >= 1.2 * times[0][rounds - 1])
+            break;
+    }
+    for (int i = 0; i < 2 && rounds > 0; i++)
         taken_s[i] = median(times[i], rounds);
+    return rounds > 0;
 }
 
 static bool make(cupola_gl *gl, int output, enum cupola_table stage, struct warp_pass *made,
@@ -106,14 +105,17 @@ static void contend(cupola_gl *gl, int output, const struct cupola_target *place
                     struct warp_pass passes[2], char words[WORDS_MAX])
 {
     struct cupola_error unwanted;
+    double end_s = clock_now_s() + budget_s;
     time_of(gl, output, &passes[0], place); /* it compiles */
-    double begin_s = now_s();
-    for (int i = 0; i < STAGES && now_s() - begin_s < budget_s; i++) {
+    for (int i = 0; i < STAGES && clock_now_s() < end_s; i++) {
         double taken_s[2];
         if (stages[i] == passes[0].stage || !is_candidate(gl, stages[i]) ||
             !make(gl, output, stages[i], &passes[1], &unwanted))
             continue;
-        duel(gl, output, passes, place, taken_s);
+        if (!duel(gl, output, passes, place, end_s, taken_s)) {
+            warp_pass_destroy(&passes[1]);
+            continue;
+        }
         if (!words[0])
             note(words, passes[0].stage, taken_s[0]);
         note(words, stages[i], taken_s[1]);

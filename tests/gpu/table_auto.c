@@ -2,6 +2,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "gl/clock.h"
+#include "gl/instance.h"
 #include "group.h"
 #include "host_objects.h"
 #include "hostilities.h"
@@ -13,6 +15,25 @@ enum { NAMES = 4000, RIGS = 3, OUTPUTS = 2 };
 
 /* As of the stages among themselves: tests/gpu/stages.c. */
 static const double bar_rad = 1e-5;
+
+/* Simulated: the stage that is fast, and the time; a draw by another stage takes twice as long. */
+static int fast = -1;
+static double simulated_s, draw_s = 0.001;
+
+double __real_clock_now_s(void);
+double __wrap_clock_now_s(void);
+double __wrap_clock_now_s(void)
+{
+    return fast < 0 ? __real_clock_now_s() : simulated_s;
+}
+
+void __real_warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place);
+void __wrap_warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place);
+void __wrap_warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place)
+{
+    simulated_s += (int)gl->passes[output].stage == fast ? draw_s : 2.0 * draw_s;
+    __real_warp_draw_views(gl, output, place);
+}
 
 struct heard {
     int chosen;
@@ -46,12 +67,19 @@ static struct cupola_rig rig_number(int number)
     return rig;
 }
 
+static void make_for_head(const struct cupola_rig *rig, double head_radius_m,
+                          enum cupola_table table, struct heard *heard, struct fixture *fixture)
+{
+    const struct cupola_plan_params wishes = {.head_radius_m = head_radius_m};
+    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F, .table = table};
+    params.log = (struct cupola_log){listen, heard, CUPOLA_LOG_INFO};
+    fixture_make(rig, &wishes, &params, fixture);
+}
+
 static void make(const struct cupola_rig *rig, enum cupola_table table, struct heard *heard,
                  struct fixture *fixture)
 {
-    struct cupola_gl_params params = {.format = CUPOLA_FORMAT_RGBA32F, .table = table};
-    params.log = (struct cupola_log){listen, heard, CUPOLA_LOG_INFO};
-    fixture_make(rig, NULL, &params, fixture);
+    make_for_head(rig, 0.0, table, heard, fixture);
 }
 
 static float *image_of(const struct fixture *fixture, int output)
@@ -113,6 +141,112 @@ static void what_was_chosen_is_told_and_right(void **state)
         check_images(&rig, &fixture);
         fixture_release(&fixture);
     }
+}
+
+/* Light that falls off from left to right, of an output's size. */
+static GLuint make_gain(const struct cupola_output *size)
+{
+    unsigned char *levels = malloc((size_t)(4 * size->width_px * size->height_px));
+    GLuint gain = 0;
+    assert_non_null(levels);
+    for (int i = 0; i < 4 * size->width_px * size->height_px; i++)
+        levels[i] = (unsigned char)(200 - i / 4 % size->width_px);
+    glGenTextures(1, &gain);
+    glBindTexture(GL_TEXTURE_2D, gain);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size->width_px, size->height_px, 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, levels);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    free(levels);
+    return gain;
+}
+
+static void alter(const struct fixture *fixture, const GLuint *gains, const double eye_m[3])
+{
+    for (int i = 0; i < OUTPUTS && gains; i++)
+        assert_int_equal(cupola_gl_set_gain(fixture->gl, i, gains[i], NULL), CUPOLA_OK);
+    if (eye_m)
+        assert_int_equal(cupola_gl_set_eye(fixture->gl, eye_m, NULL), CUPOLA_OK);
+}
+
+/* Chosen stages against none, both altered alike; the control: none, not altered. */
+static void check_altered(const struct cupola_rig *rig, double head_radius_m, const GLuint *gains,
+                          const double eye_m[3], const struct fixture *chosen)
+{
+    struct fixture plain;
+    struct heard heard = {0};
+    make_for_head(rig, head_radius_m, CUPOLA_TABLE_NONE, &heard, &plain);
+    float *before = image_of(&plain, 0);
+    alter(&plain, gains, eye_m);
+    alter(chosen, gains, eye_m);
+    for (int i = 0; i < OUTPUTS; i++) {
+        float *found = image_of(chosen, i), *expected = image_of(&plain, i);
+        check_at_most(apart(&plain, i, found, expected), bar_rad);
+        if (i == 0)
+            check_at_least(apart(&plain, 0, found, before), 100.0 * bar_rad);
+        free(found);
+        free(expected);
+    }
+    free(before);
+    fixture_release(&plain);
+}
+
+static void check_winner(int stage, double head_radius_m, bool with_gain)
+{
+    struct cupola_rig rig = rig_number(1);
+    const double eye_m[3] = {rig.eye_m[0] + 0.5 * head_radius_m, rig.eye_m[1],
+                             rig.eye_m[2] - 0.3 * head_radius_m};
+    struct fixture fixture;
+    struct heard heard = {0};
+    fast = stage;
+    simulated_s = 0.0;
+    make_for_head(&rig, head_radius_m, CUPOLA_TABLE_AUTO, &heard, &fixture);
+    fast = -1;
+    for (int i = 0; i < OUTPUTS; i++)
+        assert_int_equal(cupola_gl_table(fixture.gl, i), stage);
+    GLuint gains[OUTPUTS] = {0};
+    for (int i = 0; i < OUTPUTS && with_gain; i++)
+        gains[i] = make_gain(&rig.outputs[i]);
+    if (head_radius_m == 0.0 && !with_gain)
+        check_images(&rig, &fixture);
+    else
+        check_altered(&rig, head_radius_m, with_gain ? gains : NULL,
+                      head_radius_m > 0.0 ? eye_m : NULL, &fixture);
+    fixture_release(&fixture);
+    glDeleteTextures(OUTPUTS, gains);
+}
+
+static void each_stage_wins_where_it_is_fast(void **state)
+{
+    (void)state;
+    for (int stage = 0; stage < CUPOLA_TABLE_AUTO; stage++) {
+        check_winner(stage, 0.0, false);
+        check_winner(stage, 0.0, true);
+    }
+    /* The others are not asked where the eye moves. */
+    check_winner(CUPOLA_TABLE_TILES, 0.3, false);
+    check_winner(CUPOLA_TABLE_NONE, 0.3, true);
+    check_winner(CUPOLA_TABLE_POINTS, 0.3, true);
+}
+
+/* Each draw of 0.2 s or 0.1 s: what is begun is ended, and nothing more. */
+static void slow_draws_end_the_search(void **state)
+{
+    (void)state;
+    struct cupola_rig rig = rig_number(1);
+    struct fixture fixture;
+    struct heard heard = {0};
+    fast = CUPOLA_TABLE_SINES; /* the last one, which is not reached */
+    draw_s = 0.1;
+    simulated_s = 0.0;
+    make(&rig, CUPOLA_TABLE_AUTO, &heard, &fixture);
+    fast = -1;
+    draw_s = 0.001;
+    printf("  %g s for %d outputs\n", simulated_s, OUTPUTS);
+    check_at_most(simulated_s, OUTPUTS * (0.25 + 2.0 * 0.2));
+    for (int i = 0; i < OUTPUTS; i++)
+        assert_int_equal(cupola_gl_table(fixture.gl, i), CUPOLA_TABLE_TILES);
+    check_images(&rig, &fixture);
+    fixture_release(&fixture);
 }
 
 static void as_much_stays_as_of_the_stage_that_was_chosen(void **state)
@@ -207,6 +341,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_was_chosen_is_told_and_right),
+        cmocka_unit_test(each_stage_wins_where_it_is_fast),
+        cmocka_unit_test(slow_draws_end_the_search),
         cmocka_unit_test(as_much_stays_as_of_the_stage_that_was_chosen),
         cmocka_unit_test(choosing_leaves_a_hosts_state),
         cmocka_unit_test(nonsense_has_no_stage),

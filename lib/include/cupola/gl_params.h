@@ -67,9 +67,10 @@ enum cupola_table {
      * output's size. Needs a GL with points of 8 px. */
     CUPOLA_TABLE_TILES,
     /* The one of these that is the fastest here: cupola_gl_create draws them a few times for every
-     * output, which takes a fraction of a second for each, and keeps one; cupola_gl_table tells
-     * which. With the host's textures as views, and where nothing can be measured, tiles or else
-     * what can be made. */
+     * output and keeps one; cupola_gl_table tells which. After 1/4 s per output nothing new is
+     * begun: a table that is being made, or two draws, are still ended, which is what a slow
+     * rasteriser takes longer. With the host's textures as views, and where nothing can be
+     * measured, tiles or else what can be made. */
     CUPOLA_TABLE_AUTO,
 };
 
