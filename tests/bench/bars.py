@@ -101,6 +101,8 @@ BARS = [
 def place(comparison):
     plain = by_name(comparison).get("perspective")
     text = f"load {comparison['load']}" if plain else f"table {comparison['table']}"
+    if plain and "cupola" in by_name(comparison):
+        text += f", {by_name(comparison)['cupola']['note'].split(',')[0]}"
     if comparison.get("object_radius_deg"):
         text += f", trees of {comparison['object_radius_deg']:.1f}° radius (median)"
     if plain:

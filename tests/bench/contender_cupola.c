@@ -276,7 +276,8 @@ static void frames_facts(const void *self, struct contender_facts *facts)
     facts->shaded = frames->shaded;
     facts->bytes = frames->bytes;
     facts->tables = frames->tables;
-    snprintf(facts->note, sizeof facts->note, "%.31s: %.200s", report->family, report->reason);
+    snprintf(facts->note, sizeof facts->note, "table %.20s, %.31s: %.180s",
+             cupola_table_name(cupola_gl_table(frames->gl, 0)), report->family, report->reason);
 }
 
 /* A part of a frame shows nothing. */
