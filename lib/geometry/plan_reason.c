@@ -1,4 +1,6 @@
-/* Why a plan is as it is, in one sentence: what was asked for, what was minimised, what it costs. */
+/*
+ * Why a plan is as it is, in one sentence: what was asked for, what was minimised, what it costs.
+ */
 #include <stdio.h>
 #include <string.h>
 
