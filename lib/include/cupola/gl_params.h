@@ -69,8 +69,8 @@ enum cupola_table {
     /* The one of these that is the fastest here: cupola_gl_create draws them a few times for every
      * output and keeps one; cupola_gl_table tells which. After 1/4 s per output nothing new is
      * begun: a table that is being made, or two draws, are still ended, which is what a slow
-     * rasteriser takes longer. With the host's textures as views, and where nothing can be
-     * measured, tiles or else what can be made. */
+     * rasteriser takes longer (some 1 s for 4096 x 4096 pixels by one core). With the host's
+     * textures as views, and where nothing can be measured, tiles or else what can be made. */
     CUPOLA_TABLE_AUTO,
 };
 
