@@ -1,7 +1,7 @@
 // The warp of a tile by the polynomial of the points: its place in the tile's view (pure) or in one
 // of its two views (pair), or the viewer's ray (choosing); or the border (dark).
 
-#if TILE_KIND == TILE_DARK || GAIN
+#if TILE_KIND == TILE_DARK || (GAIN && TILE_KIND != TILE_PAIR)
 flat in vec2 corner; // of the output's image in the target, px
 #endif
 #if TILE_KIND != TILE_DARK
@@ -9,7 +9,7 @@ flat in vec2 corner; // of the output's image in the target, px
 uniform sampler2D atlas;
 #endif
 #if TILE_KIND == TILE_PAIR
-flat in mat3 across;
+flat in mat3x4 across; // and in the fourth row the corner
 flat in vec3 lead;
 #endif
 flat in vec3 terms[10];
@@ -34,7 +34,7 @@ void main()
 #if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR
 #if TILE_KIND == TILE_PAIR
     bool crossed = dot(lead, found) > 0.0;
-    found = crossed ? across * found : found;
+    found = crossed ? (across * found).xyz : found;
     int view = int(crossed ? middle.w : middle.z);
 #else
     int view = int(middle.z);
@@ -52,7 +52,9 @@ void main()
     vec4 light = image_light(view, place);
 #endif
 #endif
-#if TILE_KIND == TILE_DARK || GAIN
+#if TILE_KIND == TILE_PAIR && GAIN
+    color = pixel_color(light, gl_FragCoord.xy - vec2(across[0].w, across[1].w));
+#elif TILE_KIND == TILE_DARK || GAIN
     color = pixel_color(light, gl_FragCoord.xy - corner);
 #else
     color = pixel_color(light, vec2(0.0));

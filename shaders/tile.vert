@@ -7,7 +7,9 @@ layout(location = 0) in vec4 tile; // lower left corner and side, px; the view t
 uniform vec2 viewport_size; // px: whole tiles
 uniform vec2 target_corner; // of the output's image in the target, px
 
+#if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (GAIN && TILE_KIND != TILE_PAIR)
 flat out vec2 corner;
+#endif
 #if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
 layout(location = 1) in vec3 term_1; // of D, in px from the tile's middle
 layout(location = 2) in vec3 term_x;
@@ -35,7 +37,9 @@ layout(location = 12) in vec3 across_y;
 layout(location = 13) in vec3 across_z;
 layout(location = 14) in vec4 other; // what is above 0 where the other view has it; that view
 
-flat out mat3 across;
+// 15 vectors are what every OpenGL ES 3.0 has, and a pair needs them all: 3, 1, 10 and 1. The corner
+// has the fourth row.
+flat out mat3x4 across;
 flat out vec3 lead;
 #endif
 
@@ -47,7 +51,9 @@ void main()
 {
     gl_Position = vec4(2.0 * (tile.xy + 0.5 * tile.z) / viewport_size - 1.0, 0.0, 1.0);
     gl_PointSize = tile.z;
+#if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (GAIN && TILE_KIND != TILE_PAIR)
     corner = target_corner;
+#endif
 #if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
     middle = vec4(target_corner + tile.xy + 0.5 * tile.z, tile.w, tile.w);
 #if TILE_KIND == TILE_CHOOSING
@@ -56,7 +62,8 @@ void main()
     mat3 turn = tile_view[int(tile.w)];
 #endif
 #if TILE_KIND == TILE_PAIR
-    across = mat3(across_x, across_y, across_z);
+    across = mat3x4(vec4(across_x, target_corner.x), vec4(across_y, target_corner.y),
+                    vec4(across_z, 0.0));
     lead = other.xyz;
     middle.w = other.w;
 #endif

@@ -6,18 +6,7 @@
 #include "plan.h"
 #include "vector.h"
 
-/* Column-major 4x4 matrices of doubles; they become floats at the very end. */
-static void multiply4(const double a[16], const double b[16], double product[16])
-{
-    for (int column = 0; column < 4; column++)
-        for (int row = 0; row < 4; row++) {
-            double sum = 0;
-            for (int i = 0; i < 4; i++)
-                sum += a[4 * i + row] * b[4 * column + i];
-            product[4 * column + row] = sum;
-        }
-}
-
+/* 4x4 matrices are column-major; they become floats at the very end. */
 static void rotation4(const double rotation[9], double m[16])
 {
     memset(m, 0, 16 * sizeof *m);

@@ -53,6 +53,18 @@ static inline void multiply3(const double a[9], const double b[9], double produc
     memcpy(product, p, sizeof p);
 }
 
+/* Of column-major 4x4 matrices, unlike those above; the product is neither of them. */
+static inline void multiply4(const double a[16], const double b[16], double product[16])
+{
+    for (int column = 0; column < 4; column++)
+        for (int row = 0; row < 4; row++) {
+            double sum = 0;
+            for (int i = 0; i < 4; i++)
+                sum += a[4 * i + row] * b[4 * column + i];
+            product[4 * column + row] = sum;
+        }
+}
+
 static inline void transpose3(const double m[9], double transposed[9])
 {
     double t[9] = {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]};

@@ -7,19 +7,22 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "error.h"
 #include "geometry/vector.h"
 
-/* A text that grows up to a size that is known to suffice. */
+/* A text that grows up to CONSTANTS_MAX. */
 struct text {
     char *at;
     size_t length;
+    bool cut;
 };
 
 static void add(struct text *text, const char *words)
 {
     size_t left = CONSTANTS_MAX - text->length, length = strlen(words);
-    if (length >= left)
-        return; /* not reached: see CONSTANTS_MAX */
+    text->cut = text->cut || length >= left;
+    if (text->cut)
+        return;
     memcpy(text->at + text->length, words, length + 1);
     text->length += length;
 }
@@ -129,19 +132,24 @@ static void add_views(struct text *text, const cupola_plan *plan, bool resting)
     add_array(text, "vec4", "view_fit", fits, 4, plan->view_count);
 }
 
-void constants_write(const cupola_gl *gl, int output, char words[CONSTANTS_MAX])
+int constants_write(const cupola_gl *gl, int output, char words[CONSTANTS_MAX],
+                    struct cupola_error *error)
 {
     const cupola_dome *dome = &gl->plan.dome;
     const double border[4] = {(double)gl->params.border[0], (double)gl->params.border[1],
                               (double)gl->params.border[2], (double)gl->params.border[3]};
-    struct text text = {words, 0};
+    struct text text = {words, 0, false};
     bool resting = !(gl->plan.head_radius_m > 0);
     add(&text, "#define RIG_BAKED\n");
     add_projector(&text, dome, output);
     add_constant(&text, "vec4", "border", border, 4);
     add_views(&text, &gl->plan, resting);
-    if (!resting)
-        return;
-    add(&text, "#define EYE_BAKED\n");
-    add_constant(&text, "vec3", "eye", dome->rig.eye_m, 3);
+    if (resting) {
+        add(&text, "#define EYE_BAKED\n");
+        add_constant(&text, "vec3", "eye", dome->rig.eye_m, 3);
+    }
+    return text.cut ? error_set(error, CUPOLA_ERROR_GL,
+                                "the constants of a shader are longer than %d characters",
+                                (int)CONSTANTS_MAX - 1)
+                    : CUPOLA_OK;
 }

@@ -15,11 +15,20 @@ static bool has_either(const struct host_features *features, struct origin origi
     return host_has(features, origin) || (features->es && epoxy_has_gl_extension(es_extension));
 }
 
+static bool has_compatibility(void)
+{
+    GLint profile = 0;
+    glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
+    return (profile & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT) ||
+           epoxy_has_gl_extension("GL_ARB_compatibility");
+}
+
 void host_features_find(struct host_features *features)
 {
     const struct origin blending = {40, "GL_ARB_draw_buffers_blend", 32,
                                     "GL_OES_draw_buffers_indexed"};
     features->es = !epoxy_is_desktop_gl();
+    features->compatibility = !features->es && has_compatibility();
     features->viewport_array = has_either(
         features, (struct origin){41, "GL_ARB_viewport_array", NEVER, "GL_OES_viewport_array"},
         "GL_NV_viewport_array");

@@ -2,17 +2,19 @@
 #ifndef HOST_POINT_H
 #define HOST_POINT_H
 
-#include <epoxy/gl.h>
+#include "host_state.h"
 
-/* Where there are samples, the GL widens and fades points that are smaller than this. */
 struct host_point {
+    /* Where there are samples, the GL widens and fades points that are smaller than this. */
     GLfloat fade_threshold_px; /* 0 in OpenGL ES, which has none */
+    /* Of compatibility profiles: points are round where there are samples, but for sprites. */
+    GLboolean smooth, sprite;
 };
 
-/* Saves it and has points of every size be drawn as they are. */
-void host_point_save(struct host_point *point);
+/* Saves it and has points of every size be drawn as they are: squares. */
+void host_point_save(struct host_point *point, const struct host_features *features);
 /* The latter without asking. */
-void host_point_set(void);
-void host_point_restore(const struct host_point *point);
+void host_point_set(const struct host_features *features);
+void host_point_restore(const struct host_point *point, const struct host_features *features);
 
 #endif

@@ -34,6 +34,7 @@ enum host_reset {
 /* What a context has, by its version or by an extension. */
 struct host_features {
     bool es;                 /* OpenGL ES, not desktop OpenGL */
+    bool compatibility;      /* a compatibility profile, which has old kinds of points */
     bool viewport_array;     /* several viewports and scissor rectangles */
     bool viewport_array_nv;  /* by the functions of that name */
     bool clip_control;       /* origin and depth range of clip space */

@@ -220,6 +220,8 @@ void cupola_gl_destroy(cupola_gl **gl)
     }
     guest_tell(&gone->guest, CUPOLA_LOG_INFO, CUPOLA_LOG_DESTROYED, "a cupola_gl was destroyed%s",
                gone->guest.lost ? "; its GL objects went with the lost context" : "");
+    for (int i = 0; i < gone->plan.dome.rig.output_count; i++)
+        tile_pass_forget(&gone->passes[i].tiles);
     plan_release(&gone->plan);
     mask_pass_forget(&gone->mask);
     free(gone);

@@ -200,6 +200,8 @@ void warp_programs_destroy(struct warp_program programs[WARP_PROGRAMS]);
 int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
                      struct cupola_error *error);
 void tile_pass_destroy(struct tile_pass *pass);
+/* Frees memory alone, where the GL's objects are gone. */
+void tile_pass_forget(struct tile_pass *pass);
 
 /* After eye or views of the plan have changed. Allocates nothing. */
 void tile_pass_refit(cupola_gl *gl, int output);

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "error.h"
+#include "geometry/vector.h"
 #include "gl_objects.h"
 #include "host_buffer.h"
 #include "instance.h"
@@ -42,26 +43,22 @@ void one_pass_destroy(cupola_gl *gl)
     glDeleteBuffers(1, &gl->pass_buffer);
 }
 
-/* a b, column-major. */
-static void product(const double a[16], const float b[16], double out[16])
+static void widen4(const float from[16], double to[16])
 {
-    for (int column = 0; column < 4; column++)
-        for (int row = 0; row < 4; row++) {
-            double sum = 0;
-            for (int k = 0; k < 4; k++)
-                sum += a[k * 4 + row] * (double)b[column * 4 + k];
-            out[column * 4 + row] = sum;
-        }
+    for (int i = 0; i < 16; i++)
+        to[i] = (double)from[i];
 }
 
 static void clip_matrix(const struct cupola_camera *camera, const float *world, GLfloat clip[16])
 {
-    double projection[16], from_camera[16], from_world[16];
-    for (int i = 0; i < 16; i++)
-        projection[i] = (double)camera->projection[i];
-    product(projection, camera->view, from_camera);
-    if (world)
-        product(from_camera, world, from_world);
+    double projection[16], view[16], to_camera[16], from_camera[16], from_world[16];
+    widen4(camera->projection, projection);
+    widen4(camera->view, view);
+    multiply4(projection, view, from_camera);
+    if (world) {
+        widen4(world, to_camera);
+        multiply4(from_camera, to_camera, from_world);
+    }
     for (int i = 0; i < 16; i++)
         clip[i] = (GLfloat)(world ? from_world[i] : from_camera[i]);
 }

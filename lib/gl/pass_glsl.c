@@ -129,6 +129,20 @@ static int check_varyings(const struct cupola_pass_shader *shader, struct cupola
     return CUPOLA_OK;
 }
 
+static int check_clip_distances(const struct cupola_pass_shader *shader, struct cupola_error *error)
+{
+    if (shader->clip_distances < 0 || shader->clip_distances > CUPOLA_PASS_CLIP_DISTANCES_MAX)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT, "clip_distances is %d; allowed: 0 to %d",
+                         shader->clip_distances, CUPOLA_PASS_CLIP_DISTANCES_MAX);
+    if (shader->clip_distances && !epoxy_is_desktop_gl() &&
+        !epoxy_has_gl_extension("GL_EXT_clip_cull_distance"))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "clip_distances is %d; allowed in this OpenGL ES, which has no "
+                         "GL_EXT_clip_cull_distance: 0",
+                         shader->clip_distances);
+    return CUPOLA_OK;
+}
+
 static int check_shader(const struct cupola_pass_shader *shader, enum cupola_pass_way way,
                         struct cupola_error *error)
 {
@@ -147,7 +161,8 @@ static int check_shader(const struct cupola_pass_shader *shader, enum cupola_pas
     if (shader->primitive == CUPOLA_PASS_POINTS && !epoxy_is_desktop_gl())
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "primitive is points; allowed in OpenGL ES: triangles or lines");
-    return check_varyings(shader, error);
+    int status = check_clip_distances(shader, error);
+    return status == CUPOLA_OK ? check_varyings(shader, error) : status;
 }
 
 static void put_vertex(struct writer *writer, const struct cupola_pass_shader *shader,
@@ -197,6 +212,8 @@ static void put_geometry(struct writer *writer, const struct cupola_pass_shader 
                                                             : "GL_NV_viewport_array");
     else
         put(writer, "#if __VERSION__ < 410\n#extension GL_ARB_viewport_array : require\n#endif\n");
+    if (es && shader->clip_distances)
+        put(writer, "#extension GL_EXT_clip_cull_distance : require\n");
     put(writer, "layout(%s) in;\nlayout(%s, max_vertices = %d) out;\n",
         layouts[shader->primitive].in, layouts[shader->primitive].out, count);
     put(writer, "flat in int cupola_vertex_view[];\n");
@@ -210,6 +227,9 @@ static void put_geometry(struct writer *writer, const struct cupola_pass_shader 
     }
     put(writer, "        gl_Position = gl_in[i].gl_Position;\n%s",
         points ? "        gl_PointSize = gl_in[i].gl_PointSize;\n" : "");
+    /* By constant indices, which say how large the arrays are. */
+    for (int i = 0; i < shader->clip_distances; i++)
+        put(writer, "        gl_ClipDistance[%d] = gl_in[i].gl_ClipDistance[%d];\n", i, i);
     put(writer, "        gl_PrimitiveID = gl_PrimitiveIDIn;\n"
                 "        gl_ViewportIndex = cupola_vertex_view[i];\n"
                 "        EmitVertex();\n    }\n    EndPrimitive();\n}\n");

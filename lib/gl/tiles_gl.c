@@ -113,17 +113,23 @@ static int create_kind(const cupola_gl *gl, int output, int kind, struct tile_pa
     glBufferSubData(GL_ARRAY_BUFFER, 0,
                     (GLsizeiptr)(sizeof(struct tile) * (size_t)tiles->count[kind]),
                     tiles->tiles[kind]);
+    GLenum failure = glGetError();
+    if (failure != GL_NO_ERROR)
+        return gl_refused(failure, error, "a buffer of %d %s tiles", tiles->most[kind],
+                          kind_names[kind]);
     guest_name(&gl->guest, GL_BUFFER, pass->buffers[kind], "%s tiles of output %d",
                kind_names[kind], output);
     return CUPOLA_OK;
 }
 
 /* The largest tile that can be drawn as a point; 0 if there is none. */
-static int largest_point_px(void)
+static int largest_point_px(const struct host_features *features)
 {
     GLfloat range[2] = {0, 0};
     int side_px = TILE_MOST_PX;
-    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, range);
+    glGetFloatv(features->es || features->compatibility ? GL_ALIASED_POINT_SIZE_RANGE
+                                                        : GL_POINT_SIZE_RANGE,
+                range);
     while (side_px >= TILE_LEAST_PX && !((GLfloat)side_px <= range[1]))
         side_px /= 2;
     return side_px >= TILE_LEAST_PX ? side_px : 0;
@@ -133,7 +139,7 @@ int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
                      struct cupola_error *error)
 {
     struct host_buffer host;
-    int most_px = largest_point_px();
+    int most_px = largest_point_px(&gl->features);
     if (!most_px)
         return error_set(error, CUPOLA_ERROR_GL,
                          "this GL draws no points of %d px, which the table stage tiles needs; "
@@ -143,12 +149,18 @@ int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
     if (status != CUPOLA_OK)
         return status;
     set_pairs(gl, &pass->tiles);
+    gl_errors_drop();
     host_buffer_save(&host);
     for (int kind = 0; status == CUPOLA_OK && kind < TILE_KINDS; kind++)
         if (pass->tiles.most[kind])
             status = create_kind(gl, output, kind, pass, error);
     host_buffer_restore(&host);
     return status;
+}
+
+void tile_pass_forget(struct tile_pass *pass)
+{
+    tiles_destroy(&pass->tiles);
 }
 
 void tile_pass_destroy(struct tile_pass *pass)
@@ -196,7 +208,8 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
              "#define TILE_EXACT %d\n#define TILE_DARK %d\n#define TILE_KIND %d\n",
              TILE_PURE, TILE_PAIR, TILE_CHOOSING, TILE_EXACT, TILE_DARK, kind);
     strcat(defines, tile_lines);
-    constants_write(gl, output, defines + strlen(defines));
+    if (constants_write(gl, output, defines + strlen(defines), error) != CUPOLA_OK)
+        return 0;
     const struct tiles *tiles = &gl->passes[output].tiles.tiles;
     const double viewport[2] = {tiles->width_px, tiles->height_px};
     GLuint program = kind == TILE_EXACT ? program_create_by(&vertex, defines, exact, 6, error)

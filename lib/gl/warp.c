@@ -37,7 +37,8 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->passes[output].stage,
                     defines);
     strcat(defines, lines);
-    constants_write(gl, output, defines + strlen(defines));
+    if (constants_write(gl, output, defines + strlen(defines), error) != CUPOLA_OK)
+        return 0;
     GLuint program = program_create(defines, files, 6, error);
     if (!program)
         return 0;
@@ -232,9 +233,9 @@ static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,
 {
     struct host_point host;
     if (gl->guest.leaves_state)
-        host_point_set();
+        host_point_set(&gl->features);
     else
-        host_point_save(&host);
+        host_point_save(&host, &gl->features);
     host_set_viewport(&gl->features, place->x, place->y, pass->tiles.tiles.width_px,
                       pass->tiles.tiles.height_px);
     for (int kind = 0; kind < TILE_KINDS; kind++) {
@@ -246,7 +247,7 @@ static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,
         tile_draw(&pass->tiles, kind);
     }
     if (!gl->guest.leaves_state)
-        host_point_restore(&host);
+        host_point_restore(&host, &gl->features);
 }
 
 void warp_draw_views(cupola_gl *gl, int output, const struct cupola_target *place)

@@ -113,6 +113,11 @@ static bool fails(GLenum error)
             CALL(name, arguments);                                                                 \
     }
 
+static int floats_of(GLenum name)
+{
+    return name == GL_VIEWPORT ? 4 : name == GL_POINT_FADE_THRESHOLD_SIZE ? 1 : 2; /* ranges */
+}
+
 NAMES(GenTextures)
 NAMES(GenFramebuffers)
 NAMES(GenRenderbuffers)
@@ -134,7 +139,7 @@ MAKES(BufferData, GL_OUT_OF_MEMORY, (GLenum a, GLsizeiptr b, const void *c, GLen
 MAKES(CompileShader, GL_NO_ERROR, (GLuint a), (a))
 MAKES(LinkProgram, GL_NO_ERROR, (GLuint a), (a))
 ASKS(GetBooleanv, 1, GLboolean, (GLenum name, GLboolean *values), (name, values))
-ASKS(GetFloatv, 4, GLfloat, (GLenum name, GLfloat *values), (name, values))
+ASKS(GetFloatv, floats_of(name), GLfloat, (GLenum name, GLfloat *values), (name, values))
 ASKS(GetFloati_v, 4, GLfloat, (GLenum name, GLuint index, GLfloat *values), (name, index, values))
 ASKS(GetIntegeri_v, 4, GLint, (GLenum name, GLuint index, GLint *values), (name, index, values))
 ASKS(GetFramebufferAttachmentParameteriv, 1, GLint,

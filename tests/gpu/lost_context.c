@@ -14,6 +14,7 @@
 
 static struct guest_house house;
 static int told, failures;
+static enum cupola_table stage; /* of the next one made; by turns, as they keep memory of theirs */
 static char last_told[2048];
 
 static void listen(int level, int id, const char *text, void *user)
@@ -59,8 +60,9 @@ static bool context_can_tell(void)
 
 static int make_all(struct cupola_error *error)
 {
+    stage = stage == CUPOLA_TABLE_SINES ? CUPOLA_TABLE_TILES : CUPOLA_TABLE_SINES;
     const struct cupola_gl_params params = {
-        .log = {.write = listen}, .samples = 2, .table = guest_moving_table(CUPOLA_TABLE_SINES)};
+        .log = {.write = listen}, .samples = 2, .table = guest_moving_table(stage)};
     int status = guest_gl_create(&house, &params, error);
     return status == CUPOLA_OK ? cupola_theatre_create(house.dome, &house.theatre, error) : status;
 }

@@ -16,7 +16,8 @@
  * GL_AMD_vertex_shader_viewport_index is, else a geometry shader. cupola_pass_way tells whether and
  * how; hosts of a GL that cannot draw view by view (gl.h), and get the same picture.
  *
- * The text that cupola_pass_glsl gives goes right behind the #version line of the vertex shader:
+ * The text that cupola_pass_glsl gives goes behind the #version line and the host's own #extension
+ * lines of the vertex shader, which no GLSL allows further down, and before everything else:
  *
  *     int cupola_view()      the view of this instance: gl_InstanceID % the number of views
  *     int cupola_instance()  the host's own instance: gl_InstanceID / the number of views
@@ -75,7 +76,7 @@ enum cupola_pass_primitive {
     CUPOLA_PASS_POINTS,        /* their gl_PointSize is passed on; not in OpenGL ES */
 };
 
-enum { CUPOLA_PASS_VARYINGS_MAX = 32 };
+enum { CUPOLA_PASS_VARYINGS_MAX = 32, CUPOLA_PASS_CLIP_DISTANCES_MAX = 8 };
 
 /* Which text is wished. */
 struct cupola_pass_shader {
@@ -90,12 +91,19 @@ struct cupola_pass_shader {
     const char *const *varyings;
     int varying_count; /* 0 to CUPOLA_PASS_VARYINGS_MAX */
     enum cupola_pass_primitive primitive;
+    /*
+     * How many gl_ClipDistance the host's vertex shader writes, for the geometry shader that has to
+     * pass them on; 0 to CUPOLA_PASS_CLIP_DISTANCES_MAX, in OpenGL ES those of
+     * GL_EXT_clip_cull_distance. What is not named here is lost there, as gl_CullDistance always
+     * is. Not asked for where the vertex shader chooses the view.
+     */
+    int clip_distances;
 };
 
 /*
  * Writes GLSL. Of the vertex shader: #extension lines, the uniform block and the functions above,
- * to stand right behind the host's #version line (3.30 or newer, 3.20 es) and before everything
- * else. Of the geometry shader: all but its #version line. The fragment shader stays as it is.
+ * to stand behind the host's #version line (3.30 or newer, 3.20 es) and its own #extension lines,
+ * and before everything else; what follows it counts as line 2 and so on in messages. Of the geometry shader: all but its #version line. The fragment shader stays as it is.
  * Where a geometry shader is needed, the vertex shader's outputs get other names by #define, so
  * that no line of the host's differs between both ways.
  *
