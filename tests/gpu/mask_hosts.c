@@ -48,7 +48,7 @@ static int left_of(const struct fixture *fixture, int which, bool kept,
         state_reset();
     }
     float *atlas = fixture_atlas(fixture);
-    struct texels_left count = texels_count(fixture->plan, atlas);
+    struct texels_left count = texels_count(fixture->plan, atlas, false);
     free(atlas);
     assert_int_equal(count.missing, 0);
     return count.left;

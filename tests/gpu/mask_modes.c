@@ -36,7 +36,7 @@ static int texels_of_views(const cupola_plan *plan)
 static struct texels_left count_left(const struct fixture *fixture)
 {
     float *atlas = fixture_atlas(fixture);
-    struct texels_left count = texels_count(fixture->plan, atlas);
+    struct texels_left count = texels_count(fixture->plan, atlas, false);
     free(atlas);
     return count;
 }
