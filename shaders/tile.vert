@@ -37,8 +37,8 @@ layout(location = 12) in vec3 across_y;
 layout(location = 13) in vec3 across_z;
 layout(location = 14) in vec4 other; // what is above 0 where the other view has it; that view
 
-// 15 vectors are what every OpenGL ES 3.0 has, and a pair needs them all: 3, 1, 10 and 1. The corner
-// has the fourth row.
+// 15 vectors are what every OpenGL ES 3.0 has, and a pair needs them all: 3, 1, 10 and 1. So the
+// corner stands in the fourth row.
 flat out mat3x4 across;
 flat out vec3 lead;
 #endif

@@ -1,7 +1,7 @@
 /*
- * Contexts of a compatibility profile, in which points have old ways: smooth ones are round, and by the
- * letter all are that where there are samples, unless they are sprites. Tiles are squares all the
- * same, and the host's ways are as they were.
+ * Contexts of a compatibility profile, in which points have old ways: smooth ones are round, and by
+ * the letter all are that where there are samples, unless they are sprites. Tiles are squares all
+ * the same, and the host's ways are as they were.
  */
 #include <epoxy/egl.h>
 #include <stdio.h>

@@ -59,7 +59,7 @@ static inline void view_color(int view, float color[4])
     memcpy(color, colors[view], sizeof colors[view]);
 }
 
-/* Texels of the atlas that are needed, those that were drawn, and those that were not and should. */
+/* Texels of the atlas that are needed, those drawn, and those that were not drawn and should. */
 struct texels_left {
     int needed, left, missing;
 };

@@ -103,9 +103,10 @@ struct cupola_pass_shader {
 /*
  * Writes GLSL. Of the vertex shader: #extension lines, the uniform block and the functions above,
  * to stand behind the host's #version line (3.30 or newer, 3.20 es) and its own #extension lines,
- * and before everything else; what follows it counts as line 2 and so on in messages. Of the geometry shader: all but its #version line. The fragment shader stays as it is.
- * Where a geometry shader is needed, the vertex shader's outputs get other names by #define, so
- * that no line of the host's differs between both ways.
+ * and before everything else; what follows it counts as line 2 and so on in messages. Of the
+ * geometry shader: all but its #version line. The fragment shader stays as it is. Where a geometry
+ * shader is needed, the vertex shader's outputs get other names by #define, so that no line of the
+ * host's differs between both ways.
  *
  * shader   NULL: all zero
  * text     out: ends with a line's end and 0; untouched on failure
