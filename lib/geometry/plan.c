@@ -150,7 +150,7 @@ static void refit(cupola_plan *plan, const double eye_m[3])
 {
     double core[4];
     for (int v = 0; v < plan->view_count; v++)
-        if (plan_outline_core(plan, eye_m, v, core))
+        if (plan_outline_core(plan, eye_m, v, core, NULL))
             center_view(core, &plan->views[v]);
 }
 

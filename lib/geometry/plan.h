@@ -14,6 +14,7 @@
  *   plan_make      which layouts and numbers of views are searched
  *   plan_strips    one plane divided into views: the asymmetric layout
  *   plan_exact     densities and rectangles that hold at every pixel
+ *   plan_sphere    the same for every eye of a sphere
  *   plan_outline   rectangles for an eye that moves
  *   plan_copy      copies of plans
  *   plan_refusal   what is said where nothing will do
@@ -252,8 +253,12 @@ int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
 
 /* The edge of the lit part of all outputs. CUPOLA_OK or CUPOLA_ERROR_MEMORY. */
 int plan_outline_trace(const cupola_dome *dome, struct plan_outline *outline);
-/* Left, right, bottom, top of what a view's rays meet for an eye; false: nothing. */
-bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view, double core[4]);
+/*
+ * Left, right, bottom, top of what a view's rays meet for an eye; false: nothing. `least_cosine`,
+ * between them and its axis, becomes no larger; NULL: not asked for.
+ */
+bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view, double core[4],
+                       double *least_cosine);
 
 /*
  * A copy that shares nothing, into a place that holds no plan, and what it has taken given back.

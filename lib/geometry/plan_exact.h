@@ -1,4 +1,7 @@
-/* Between the two halves of the exact fit: plan_exact.c looks at cells, plan_exact_fit.c views. */
+/*
+ * Between the parts of the exact fit: plan_exact.c looks at cells, plan_exact_fit.c at views,
+ * plan_sphere.c at eyes.
+ */
 #ifndef PLAN_EXACT_H
 #define PLAN_EXACT_H
 
@@ -42,5 +45,28 @@ void plan_corner_trace(struct fitting *fitting, double x_px, double y_px,
 void plan_square_visit(struct fitting *fitting, const struct plan_square *cell);
 /* Adds what a cell covers to the exact fit's pixels and areas; plan_area.c. */
 void plan_square_add(struct fitting *fitting, const struct plan_square *cell);
+
+/* Points of the screen, in the host's camera frame, and their change per pixel. */
+struct plan_probes {
+    int count;
+    struct varying *list;
+};
+
+bool plan_probes_create(const cupola_dome *dome, bool fine, struct plan_probes *probes);
+void plan_probes_release(struct plan_probes *probes);
+/* Raises what the probes ask over the metrics, of one view or, below 0, of all. */
+void plan_probes_look(const struct plan_probes *probes, const struct fitting *fitting,
+                      const double eye_m[3], int only, double excess[CUPOLA_VIEWS_MAX]);
+
+/* The most that any eye of a sphere asks of each view. */
+struct plan_sphere {
+    double extent[CUPOLA_VIEWS_MAX][2];
+    double least_cosine[CUPOLA_VIEWS_MAX];
+    double excess[CUPOLA_VIEWS_MAX];   /* by the probes */
+    double eye_m[CUPOLA_VIEWS_MAX][3]; /* where that is asked */
+};
+
+/* CUPOLA_OK or CUPOLA_ERROR_MEMORY; `fitting` knows the middle. plan_sphere.c. */
+int plan_sphere_look(const struct fitting *fitting, double radius_m, struct plan_sphere *result);
 
 #endif

@@ -11,6 +11,10 @@
 /* What a leaf's places may have over its corners. */
 static const double metric_margin = 1.0004;
 
+/* Eyes between those looked at may ask for more, by this part of what other eyes add to the middle.
+ */
+static const double beyond_eyes = 0.02;
+
 /* Beyond it the search's samples were wrong about the reach. */
 static const double least_cosine_allowed = 0.139; /* 82 degrees */
 
@@ -288,63 +292,79 @@ static int begin_fit(struct fitting *fitting)
     return status;
 }
 
-/* What other eyes ask for over the middle one. */
-struct demand {
-    double excess[CUPOLA_VIEWS_MAX], extent[CUPOLA_VIEWS_MAX][2];
-};
-
-static int fit_other_eyes(struct fitting *fitting, double head_radius_m, struct demand *demand)
+/* The exact fit at the eye that asks most of a view; other views learn of it, too. */
+static int fit_worst_eye(struct fitting *fitting, const double eye_m[3])
 {
+    /* Rectangles are known: no cell need be divided for them. */
+    static const double everywhere[4] = {-HUGE_VAL, HUGE_VAL, -HUGE_VAL, HUGE_VAL};
     enum { CELLS = 48 };
-    for (int e = 1; e < PLAN_EYES; e++) {
-        struct image_grid grids[CUPOLA_OUTPUTS_MAX] = {{.corners = NULL}};
-        plan_eye_place(fitting->dome->rig.eye_m, head_radius_m, e, fitting->eye_m);
-        begin_cores(fitting);
-        for (int v = 0; v < fitting->exact->count; v++)
-            fitting->excess[v] = 0;
-        bool done = make_grids(fitting, CELLS, grids) > 0;
-        if (done)
-            visit_grids(fitting, grids);
-        release_grids(grids);
-        if (!done)
-            return CUPOLA_ERROR_MEMORY;
-        for (int v = 0; v < fitting->exact->count; v++) {
-            if (fitting->least_cosine[v] < least_cosine_allowed)
-                return CUPOLA_ERROR_LAYOUT;
-            demand->excess[v] = larger(demand->excess[v], fitting->excess[v]);
-            for (int axis = 0; axis < 2; axis++)
-                demand->extent[v][axis] =
-                    larger(demand->extent[v][axis],
-                           fitting->core[v][2 * axis + 1] - fitting->core[v][2 * axis]);
-        }
-    }
+    struct image_grid grids[CUPOLA_OUTPUTS_MAX] = {{.corners = NULL}};
+    memcpy(fitting->eye_m, eye_m, sizeof fitting->eye_m);
+    for (int v = 0; v < fitting->exact->count; v++)
+        memcpy(fitting->core[v], everywhere, sizeof everywhere);
+    bool done = make_grids(fitting, CELLS, grids) > 0;
+    if (done)
+        visit_grids(fitting, grids);
+    release_grids(grids);
+    return done ? CUPOLA_OK : CUPOLA_ERROR_MEMORY;
+}
+
+/* Raises excesses to what every eye of a sphere asks. */
+static int fit_other_eyes(struct fitting *fitting, double head_radius_m, struct plan_sphere *sphere)
+{
+    int status = plan_sphere_look(fitting, head_radius_m, sphere);
+    for (int v = 0; v < fitting->exact->count && status == CUPOLA_OK; v++)
+        if (sphere->least_cosine[v] < least_cosine_allowed)
+            status = CUPOLA_ERROR_LAYOUT;
+    for (int v = 0; v < fitting->exact->count && status == CUPOLA_OK; v++)
+        status = fit_worst_eye(fitting, sphere->eye_m[v]);
+    for (int v = 0; v < fitting->exact->count; v++)
+        fitting->excess[v] = larger(fitting->excess[v], sphere->excess[v]);
+    return status;
+}
+
+static bool is_measured(const cupola_dome *dome)
+{
+    for (int g = 0; g < dome->rig.output_count; g++)
+        if (dome->projectors[g].lens.model == CUPOLA_LENS_TABLE)
+            return true;
+    return false;
+}
+
+/* A measured lens may ask most where its slope has kinks, between the corners of all cells. */
+static int fit_kinks(struct fitting *fitting, const struct plan_sphere *sphere, bool moves)
+{
+    struct plan_probes probes;
+    if (!is_measured(fitting->dome))
+        return CUPOLA_OK;
+    if (!plan_probes_create(fitting->dome, true, &probes))
+        return CUPOLA_ERROR_MEMORY;
+    plan_probes_look(&probes, fitting, fitting->dome->rig.eye_m, -1, fitting->excess);
+    for (int v = 0; v < fitting->exact->count && moves; v++)
+        plan_probes_look(&probes, fitting, sphere->eye_m[v], -1, fitting->excess);
+    plan_probes_release(&probes);
     return CUPOLA_OK;
 }
 
-/*
- * Between the eyes looked at a linear function reaches at most 1.225 of what it has at them: the
- * middle between an axis and a diagonal is 35 degrees from either.
- */
-static double reach_between(double middle, double others)
-{
-    static const double between_eyes = 1.25;
-    return middle + between_eyes * larger(others - middle, 0);
-}
-
-static void conclude(const struct fitting *fitting, const struct demand *demand,
-                     struct plan_exact *exact)
+/* `middle` is the fit for the rig's eye, `all` has the excesses of all eyes. */
+static void conclude(const struct fitting *middle, const struct fitting *all,
+                     const struct plan_sphere *sphere, struct plan_exact *exact)
 {
     for (int v = 0; v < exact->count; v++) {
         struct plan_exact_view *view = &exact->views[v];
-        double excess = reach_between(fitting->excess[v], demand->excess[v]) * metric_margin;
-        memcpy(view->core, fitting->core[v], sizeof view->core);
+        double added = larger(all->excess[v] - middle->excess[v], 0);
+        double excess = (all->excess[v] + beyond_eyes * added) * metric_margin;
+        double cosine = smaller(middle->least_cosine[v], sphere->least_cosine[v]);
+        memcpy(view->core, middle->core[v], sizeof view->core);
         for (int axis = 0; axis < 2; axis++) {
-            view->density[axis] = fitting->density[v][axis] * sqrt(excess);
-            view->extent[axis] = reach_between(view->core[2 * axis + 1] - view->core[2 * axis],
-                                               demand->extent[v][axis]);
+            double extent = view->core[2 * axis + 1] - view->core[2 * axis];
+            view->density[axis] = middle->density[v][axis] * sqrt(excess);
+            view->extent[axis] =
+                larger(extent, sphere->extent[v][axis] +
+                                   beyond_eyes * larger(sphere->extent[v][axis] - extent, 0));
         }
-        view->farthest_rad = acos(fitting->least_cosine[v]);
-        view->least = fitting->prices->density * sqrt(metric_margin);
+        view->farthest_rad = acos(cosine);
+        view->least = middle->prices->density * sqrt(excess / all->excess[v]);
     }
 }
 
@@ -352,7 +372,7 @@ int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
                    const struct plan_prices *prices, double head_radius_m, bool sampled,
                    struct plan_exact *exact)
 {
-    struct demand demand = {.excess = {0}};
+    struct plan_sphere sphere = {.excess = {0}};
     struct fitting fitting = {.dome = dome,
                               .exact = exact,
                               .prices = prices,
@@ -371,11 +391,13 @@ int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
     while (status == 1)
         status = begin_fit(&fitting);
     struct fitting middle = fitting;
-    if (status == CUPOLA_OK && head_radius_m > 0)
-        status = fit_other_eyes(&fitting, head_radius_m, &demand);
     for (int v = 0; v < exact->count; v++)
-        middle.least_cosine[v] = smaller(middle.least_cosine[v], fitting.least_cosine[v]);
+        sphere.least_cosine[v] = 1;
+    if (status == CUPOLA_OK && head_radius_m > 0)
+        status = fit_other_eyes(&fitting, head_radius_m, &sphere);
     if (status == CUPOLA_OK)
-        conclude(&middle, &demand, exact);
+        status = fit_kinks(&fitting, &sphere, head_radius_m > 0);
+    if (status == CUPOLA_OK)
+        conclude(&middle, &fitting, &sphere, exact);
     return status;
 }

@@ -17,6 +17,9 @@ enum { PIECES = 720, CURVES = 3, BISECTIONS = 20 };
 /* Places this far beyond the cap's edge count still: pixels there may be lit in part. */
 static const double beyond_px = 0.8;
 
+/* The same for the corners of cones. */
+static const double corner_beyond_px = 1;
+
 static void place_on_rim(const struct projector *projector, double t, double place_px[2])
 {
     double azimuth = 2 * pi * t / PIECES;
@@ -140,11 +143,19 @@ int plan_outline_trace(const cupola_dome *dome, struct plan_outline *outline)
     return CUPOLA_OK;
 }
 
-static void widen(const struct cupola_view *view, const double ray[3], double core[4])
+/* What is known of a view. */
+struct reach {
+    double core[4];
+    double least_cosine;
+};
+
+static void widen(const struct cupola_view *view, const double ray[3], struct reach *reach)
 {
-    double q[3];
+    double q[3], *core = reach->core;
     transform3(view->rotation, ray, q);
-    if (!(-q[2] > 0.05 * length3(q)))
+    double cosine = -q[2] / length3(q);
+    reach->least_cosine = smaller(reach->least_cosine, cosine);
+    if (!(cosine > 0.05))
         return;
     for (int axis = 0; axis < 2; axis++) {
         core[2 * axis] = smaller(core[2 * axis], q[axis] / -q[2]);
@@ -162,7 +173,7 @@ static void lead(const cupola_plan *plan, int view, const double ray[3], double 
 
 /* The part of a piece of edge that falls to the view. Between its ends `ahead` runs straight. */
 static void widen_by_piece(const cupola_plan *plan, int view, const double from[3],
-                           const double to[3], double core[4])
+                           const double to[3], struct reach *reach)
 {
     double first[CUPOLA_VIEWS_MAX], last[CUPOLA_VIEWS_MAX], begin = 0, end = 1, ray[3];
     lead(plan, view, from, first);
@@ -179,23 +190,47 @@ static void widen_by_piece(const cupola_plan *plan, int view, const double from[
         return;
     for (int i = 0; i < 3; i++)
         ray[i] = from[i] + begin * (to[i] - from[i]);
-    widen(&plan->views[view], ray, core);
+    widen(&plan->views[view], ray, reach);
     for (int i = 0; i < 3; i++)
         ray[i] = from[i] + end * (to[i] - from[i]);
-    widen(&plan->views[view], ray, core);
+    widen(&plan->views[view], ray, reach);
 }
 
+/* How far a point of the screen lies within the cap, px of the lens's image, by the slope there. */
+static double inside_cap_px(const struct projector *projector, const double pixel_px[2])
+{
+    double place[2];
+    struct varying lens, point;
+    circle_place(projector, pixel_px[0], pixel_px[1], place);
+    lens_ray(projector, place, &lens);
+    screen_point(projector, &lens, &point);
+    double slope = hypot(point.dx[2], point.dy[2]);
+    double inside_m = -point.at[2] - projector->cap_cosine * projector->screen_radius_m;
+    return inside_m / larger(slope, 1e-300);
+}
+
+/* With what the cap's edge was moved outwards: else a corner between the two would count for none.
+ */
 static bool is_lit(const cupola_plan *plan, const double eye_m[3], const double ray[3])
 {
-    double pixel_px[2];
-    for (int output = 0; output < plan->dome.rig.output_count; output++)
-        if (cupola_dome_pixel(&plan->dome, output, eye_m, ray, pixel_px) == 1)
+    const cupola_dome *dome = &plan->dome;
+    double point_m[3], to[3], pixel_px[2];
+    eye_point(dome, eye_m, ray, point_m);
+    for (int g = 0; g < dome->rig.output_count; g++) {
+        const struct projector *projector = &dome->projectors[g];
+        for (int i = 0; i < 3; i++)
+            to[i] = point_m[i] - projector->position_m[i];
+        if (lens_pixel(projector, to, pixel_px) && pixel_px[0] >= 0 && pixel_px[1] >= 0 &&
+            pixel_px[0] <= projector->width_px && pixel_px[1] <= projector->height_px &&
+            (!projector->capped || inside_cap_px(projector, pixel_px) >= -corner_beyond_px))
             return true;
+    }
     return false;
 }
 
 /* The edges of the view's cone: where it meets two others. */
-static void widen_by_cone(const cupola_plan *plan, const double eye_m[3], int view, double core[4])
+static void widen_by_cone(const cupola_plan *plan, const double eye_m[3], int view,
+                          struct reach *reach)
 {
     const double *own = plan->views[view].selector;
     for (int v = 0; v < plan->view_count; v++)
@@ -216,17 +251,17 @@ static void widen_by_cone(const cupola_plan *plan, const double eye_m[3], int vi
             for (int x = 0; x < plan->view_count; x++)
                 falls = falls && ahead[x] >= slack;
             if (falls && is_lit(plan, eye_m, ray))
-                widen(&plan->views[view], ray, core);
+                widen(&plan->views[view], ray, reach);
         }
 }
 
-bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view, double core[4])
+bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view, double core[4],
+                       double *least_cosine)
 {
+    struct reach reach = {{HUGE_VAL, -HUGE_VAL, HUGE_VAL, -HUGE_VAL}, 1};
     double eye[3];
     const struct plan_outline *outline = &plan->outline;
     transform3(plan->dome.tilt, eye_m, eye);
-    core[0] = core[2] = HUGE_VAL;
-    core[1] = core[3] = -HUGE_VAL;
     for (int i = 0; i + 1 < outline->count; i++) {
         double from[3], to[3];
         if (!outline->points[i].joined)
@@ -235,8 +270,11 @@ bool plan_outline_core(const cupola_plan *plan, const double eye_m[3], int view,
             from[k] = outline->points[i].point[k] - eye[k];
             to[k] = outline->points[i + 1].point[k] - eye[k];
         }
-        widen_by_piece(plan, view, from, to, core);
+        widen_by_piece(plan, view, from, to, &reach);
     }
-    widen_by_cone(plan, eye_m, view, core);
+    widen_by_cone(plan, eye_m, view, &reach);
+    memcpy(core, reach.core, sizeof reach.core);
+    if (least_cosine)
+        *least_cosine = smaller(*least_cosine, reach.least_cosine);
     return core[0] <= core[1];
 }

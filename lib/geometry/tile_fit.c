@@ -74,12 +74,12 @@ static void fit_nodes(double points[NODES][3], double side_px, double terms[TILE
 }
 
 /* Into a view's texels; false if the ray points away from the view. */
-static bool texel_of(const cupola_plan *plan, const struct cupola_view *view,
+static bool texel_of(const cupola_plan *plan, const double eye_m[3], const struct cupola_view *view,
                      const double point_m[3], double texel[2])
 {
     double ray[3], base[2];
     for (int i = 0; i < 3; i++)
-        ray[i] = point_m[i] - plan->dome.rig.eye_m[i];
+        ray[i] = point_m[i] - eye_m[i];
     transform3(plan->dome.tilt, ray, ray);
     if (!view_hit(view, ray, base))
         return false;
@@ -87,22 +87,48 @@ static bool texel_of(const cupola_plan *plan, const struct cupola_view *view,
     return true;
 }
 
-/* Whether the terms do for a place; x and y from -1 to 1 across the piece. */
+/* Whether one point does for another, for an eye. */
+static bool does_for(const cupola_plan *plan, const double eye_m[3], const double found_m[3],
+                     const double expected_m[3])
+{
+    double ray[3], expected[2], found[2];
+    for (int i = 0; i < 3; i++)
+        ray[i] = expected_m[i] - eye_m[i];
+    transform3(plan->dome.tilt, ray, ray);
+    const struct cupola_view *view = &plan->views[view_select(plan->views, plan->view_count, ray)];
+    const double apart_m[3] = {found_m[0] - expected_m[0], found_m[1] - expected_m[1],
+                               found_m[2] - expected_m[2]};
+    /* Half of what is allowed: between the places and eyes that are tried it may be more. */
+    return length3(apart_m) < 0.5 * TILE_ERROR_RAD * length3(ray) &&
+           texel_of(plan, eye_m, view, expected_m, expected) &&
+           texel_of(plan, eye_m, view, found_m, found) &&
+           hypot(found[0] - expected[0], found[1] - expected[1]) < 0.5 * TILE_ERROR_TEXELS;
+}
+
+/*
+ * Whether the terms do for a place; x and y from -1 to 1 across the piece. Where the eye moves, for
+ * the eye nearest to the place, too, and for some all over the sphere that it stays in.
+ */
 static bool does(const cupola_plan *plan, struct tile_piece *piece, double x, double y,
                  const double expected_m[3])
 {
-    double found_m[3], ray[3], expected[2], found[2], half = 0.5 * piece->side_px;
-    for (int i = 0; i < 3; i++)
-        ray[i] = expected_m[i] - plan->dome.rig.eye_m[i];
-    transform3(plan->dome.tilt, ray, ray);
-    const struct cupola_view *view = &plan->views[view_select(plan->views, plan->view_count, ray)];
+    double found_m[3], eye_m[3], to[3], half = 0.5 * piece->side_px;
     tile_terms_at(piece->terms, half * x, half * y, found_m);
-    const double apart_m[3] = {found_m[0] - expected_m[0], found_m[1] - expected_m[1],
-                               found_m[2] - expected_m[2]};
-    /* Half of what is allowed: between the places that are tried it may be more. */
-    return length3(apart_m) < 0.5 * TILE_ERROR_RAD * length3(ray) &&
-           texel_of(plan, view, expected_m, expected) && texel_of(plan, view, found_m, found) &&
-           hypot(found[0] - expected[0], found[1] - expected[1]) < 0.5 * TILE_ERROR_TEXELS;
+    if (!does_for(plan, plan->dome.rig.eye_m, found_m, expected_m))
+        return false;
+    if (plan->head_radius_m == 0)
+        return true;
+    for (int i = 0; i < 3; i++)
+        to[i] = expected_m[i] - plan->planned_eye_m[i];
+    double part = plan->head_radius_m / length3(to);
+    for (int i = 0; i < 3; i++)
+        eye_m[i] = plan->planned_eye_m[i] + part * to[i];
+    bool good = does_for(plan, eye_m, found_m, expected_m);
+    for (int e = 0; e < PLAN_EYES && good; e++) {
+        plan_eye_place(plan->planned_eye_m, plan->head_radius_m, e, eye_m);
+        good = does_for(plan, eye_m, found_m, expected_m);
+    }
+    return good;
 }
 
 bool tile_fit(const cupola_plan *plan, int output, double grid[TILE_GRID_PLACES][3],

@@ -13,7 +13,8 @@
  * out beyond the output's right and upper edge.
  *
  * The polynomials are those of the points, and so do not depend on the eye: where that moves, only
- * pure and choosing tiles change sides.
+ * pure, pair and choosing tiles change sides. How well they do depends on it: for a plan with a
+ * head radius they are tried for eyes all over its sphere.
  */
 #ifndef TILES_H
 #define TILES_H

@@ -161,6 +161,42 @@ static void tiles_refitted_to_another_eye_are_right_about_it(void **state)
     }
 }
 
+/* How far polynomials miss for eyes near the screen, by plans with a sphere of `head`. */
+static double worst_moved(double head, double moved_m[3])
+{
+    struct cupola_rig rig = {.output_count = 1, .screen.radius_m = 1.0};
+    rig.outputs[0].width_px = WIDTH;
+    rig.outputs[0].height_px = HEIGHT;
+    rig.outputs[0].circle = (struct cupola_circle){100.0, 80.0, 700.0};
+    rig.outputs[0].lens.model = CUPOLA_LENS_ANGULAR;
+    rig.outputs[0].lens.fov_rad = radians(140.0);
+    struct cupola_plan_params params = {.head_radius_m = head};
+    cupola_dome *dome = NULL;
+    cupola_plan *plan = NULL;
+    struct tiles tiles;
+    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_plan_create(dome, &params, &plan, NULL), CUPOLA_OK);
+    assert_int_equal(tiles_create(plan, 0, 128, &tiles, NULL), CUPOLA_OK);
+    memcpy(plan->dome.rig.eye_m, moved_m, sizeof plan->dome.rig.eye_m);
+    tiles_refit(plan, &tiles);
+    double worst = look_at(plan, &tiles).worst_texels;
+    tiles_destroy(&tiles);
+    cupola_plan_destroy(&plan);
+    cupola_dome_destroy(&dome);
+    return worst;
+}
+
+/* The control: tiles of a plan whose eye rests, looked at from as near. */
+static void tiles_do_for_every_eye_of_a_sphere(void **state)
+{
+    (void)state;
+    double near_m[3] = {0.0, 0.0, -0.79}, worst = worst_moved(0.8, near_m);
+    double at_rest = worst_moved(0.0, near_m);
+    printf("near the screen %.2g texels, of a plan for an eye at rest %.2g\n", worst, at_rest);
+    check_at_most(worst, TILE_ERROR_TEXELS);
+    check_at_least(at_rest, TILE_ERROR_TEXELS);
+}
+
 static void where_there_is_no_room_larger_tiles_choose(void **state)
 {
     (void)state;
@@ -218,6 +254,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_pixel_is_in_one_tile_that_is_right_about_it),
         cmocka_unit_test(tiles_refitted_to_another_eye_are_right_about_it),
+        cmocka_unit_test(tiles_do_for_every_eye_of_a_sphere),
         cmocka_unit_test(where_there_is_no_room_larger_tiles_choose),
         cmocka_unit_test(a_wrong_term_view_or_tile_is_caught),
     };
