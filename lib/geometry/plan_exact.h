@@ -68,5 +68,10 @@ struct plan_sphere {
 
 /* CUPOLA_OK or CUPOLA_ERROR_MEMORY; `fitting` knows the middle. plan_sphere.c. */
 int plan_sphere_look(const struct fitting *fitting, double radius_m, struct plan_sphere *result);
+/*
+ * A measured lens may ask most where its slope has kinks, between the corners of all cells: for the
+ * rig's eye and, where it moves, the worst ones. CUPOLA_OK or CUPOLA_ERROR_MEMORY.
+ */
+int plan_kinks_look(struct fitting *fitting, const struct plan_sphere *sphere, bool moves);
 
 #endif

@@ -323,29 +323,6 @@ static int fit_other_eyes(struct fitting *fitting, double head_radius_m, struct 
     return status;
 }
 
-static bool is_measured(const cupola_dome *dome)
-{
-    for (int g = 0; g < dome->rig.output_count; g++)
-        if (dome->projectors[g].lens.model == CUPOLA_LENS_TABLE)
-            return true;
-    return false;
-}
-
-/* A measured lens may ask most where its slope has kinks, between the corners of all cells. */
-static int fit_kinks(struct fitting *fitting, const struct plan_sphere *sphere, bool moves)
-{
-    struct plan_probes probes;
-    if (!is_measured(fitting->dome))
-        return CUPOLA_OK;
-    if (!plan_probes_create(fitting->dome, true, &probes))
-        return CUPOLA_ERROR_MEMORY;
-    plan_probes_look(&probes, fitting, fitting->dome->rig.eye_m, -1, fitting->excess);
-    for (int v = 0; v < fitting->exact->count && moves; v++)
-        plan_probes_look(&probes, fitting, sphere->eye_m[v], -1, fitting->excess);
-    plan_probes_release(&probes);
-    return CUPOLA_OK;
-}
-
 /* `middle` is the fit for the rig's eye, `all` has the excesses of all eyes. */
 static void conclude(const struct fitting *middle, const struct fitting *all,
                      const struct plan_sphere *sphere, struct plan_exact *exact)
@@ -396,7 +373,7 @@ int plan_exact_fit(const cupola_dome *dome, const struct plan_choice *choice,
     if (status == CUPOLA_OK && head_radius_m > 0)
         status = fit_other_eyes(&fitting, head_radius_m, &sphere);
     if (status == CUPOLA_OK)
-        status = fit_kinks(&fitting, &sphere, head_radius_m > 0);
+        status = plan_kinks_look(&fitting, &sphere, head_radius_m > 0);
     if (status == CUPOLA_OK)
         conclude(&middle, &fitting, &sphere, exact);
     return status;

@@ -82,6 +82,36 @@ static int refuse_lens(const struct planning *planning, struct cupola_error *err
                      allowed);
 }
 
+/* The same for a sphere of another radius. */
+static bool can_serve_head(const struct planning *planning, double head_radius_m)
+{
+    struct planning again = {.chosen = 0};
+    struct cupola_plan_params params = planning->params;
+    params.head_radius_m = head_radius_m;
+    bool can = planning_begin(planning->dome, &params, &again, NULL) == CUPOLA_OK &&
+               planning_solve(&again, params.layout, params.views) == CUPOLA_OK;
+    planning_end(&again);
+    return can;
+}
+
+/* The widest sphere, in eighths of what was wished for; 0: not even an eye at rest. */
+static double widest_head_m(const struct planning *planning)
+{
+    enum { PARTS = 8 };
+    double unit_m = planning->params.head_radius_m / PARTS;
+    int can = 0, cannot = PARTS;
+    if (unit_m == 0 || !can_serve_head(planning, 0))
+        return 0;
+    while (cannot - can > 1) {
+        int middle = (can + cannot) / 2;
+        if (can_serve_head(planning, middle * unit_m))
+            can = middle;
+        else
+            cannot = middle;
+    }
+    return can * unit_m;
+}
+
 /* The largest angle of a ray to the better one of the two axes that one plane may have. */
 static double farthest_of_plane(const struct plan_samples *samples)
 {
@@ -96,6 +126,14 @@ static double farthest_of_plane(const struct plan_samples *samples)
 int plan_refuse(const struct planning *planning, struct cupola_error *error)
 {
     const struct cupola_plan_params *params = &planning->params;
+    double head_m = widest_head_m(planning);
+    if (head_m > 0)
+        return error_set(error, CUPOLA_ERROR_LAYOUT,
+                         "head radius is %g m, where eyes see rays more than 80 degrees off every "
+                         "view's axis; allowed here: up to %.3g m%s",
+                         params->head_radius_m, 0.999 * head_m,
+                         params->views && params->views < CUPOLA_VIEWS_MAX ? ", or more views"
+                                                                           : "");
     if (params->layout == CUPOLA_LAYOUT_ASYMMETRIC)
         return error_set(error, CUPOLA_ERROR_LAYOUT,
                          "layout asymmetric would have to reach rays %.4g degrees off its axis; "

@@ -284,3 +284,25 @@ int plan_sphere_look(const struct fitting *fitting, double radius_m, struct plan
     free(sphere.plan);
     return status;
 }
+
+static bool is_measured(const cupola_dome *dome)
+{
+    for (int g = 0; g < dome->rig.output_count; g++)
+        if (dome->projectors[g].lens.model == CUPOLA_LENS_TABLE)
+            return true;
+    return false;
+}
+
+int plan_kinks_look(struct fitting *fitting, const struct plan_sphere *sphere, bool moves)
+{
+    struct plan_probes probes;
+    if (!is_measured(fitting->dome))
+        return CUPOLA_OK;
+    if (!plan_probes_create(fitting->dome, true, &probes))
+        return CUPOLA_ERROR_MEMORY;
+    plan_probes_look(&probes, fitting, fitting->dome->rig.eye_m, -1, fitting->excess);
+    for (int v = 0; v < fitting->exact->count && moves; v++)
+        plan_probes_look(&probes, fitting, sphere->eye_m[v], -1, fitting->excess);
+    plan_probes_release(&probes);
+    return CUPOLA_OK;
+}
