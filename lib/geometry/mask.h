@@ -33,7 +33,7 @@ struct mask_vertex {
     float x, y;
 };
 
-/* The needed texels of one view, from its rectangle's corner: a bit for each, rows from the bottom. */
+/* The needed texels of one view, from its rectangle's corner: a bit for each, rows upwards. */
 struct mask_texels {
     int x, y, width, height;
     int words; /* 64-bit words of a row */

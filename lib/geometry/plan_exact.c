@@ -31,7 +31,7 @@ static const double edge_range = 0.5;
 /* A corner this far off an axis has no place on the base plane to speak of. */
 static const double flat_cosine = 0.03;
 
-/* No place of a cell is farther from a corner than half of the diagonal, in sizes; with a margin. */
+/* No place of a cell is farther from a corner than half of the diagonal, in sizes; some more. */
 static const double far_from_corner = 0.8;
 
 /* `near` has the same place or, near the rim, half a pixel inside: slopes may be infinite there. */

@@ -255,7 +255,7 @@ static bool run_families(struct search *search, const struct plan_question *ques
     return true;
 }
 
-/* Views that are spread out, not in rings: of as many as there may be, and fewer while that pays. */
+/* Views that are spread out, not in rings: of as many as there may be, and fewer if that pays. */
 static void run_spread(struct search *search, const struct plan_question *question,
                        struct finalist finalists[FINALISTS])
 {

@@ -73,8 +73,7 @@ static int create_buffer(cupola_gl *gl, struct cupola_error *error)
     GLenum failure = glGetError();
     guest_name(&gl->guest, GL_BUFFER, pass->buffer, "mask of the views");
     host_buffer_restore(&host);
-    return failure == GL_NO_ERROR ? CUPOLA_OK
-                                  : gl_refused(failure, error, "a buffer for the mask");
+    return failure == GL_NO_ERROR ? CUPOLA_OK : gl_refused(failure, error, "a buffer for the mask");
 }
 
 static int create_program(cupola_gl *gl, struct cupola_error *error)

@@ -1,6 +1,6 @@
 /*
- * Lives of all that there is, and rigs in a row, leave nothing behind: with CUPOLA_LONG=1 a thousand
- * and two hundred of them.
+ * Lives of all that there is, and rigs in a row, leave nothing behind: with CUPOLA_LONG=1 1,000
+ * and 200 of them.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// Triangles, lines or points anywhere round the eye, the same for the same instance. The text before
+// Triangles, lines or points anywhere round the eye, the same for the same instance. Text before it
 // says where a vertex goes: place_vertex, host_instance.
 
 uniform float point_size;
