@@ -136,7 +136,8 @@ static void what_was_chosen_is_told_and_right(void **state)
         snprintf(words, sizeof words, "output %d is warped by table stage %s: ", OUTPUTS - 1,
                  cupola_table_name(cupola_gl_table(fixture.gl, OUTPUTS - 1)));
         assert_int_equal(strncmp(heard.text, words, strlen(words)), 0);
-        assert_non_null(strstr(heard.text, " ms"));
+        /* On a machine that is busy enough the time is up before anything was measured. */
+        assert_true(strstr(heard.text, " ms") || strstr(heard.text, "nothing was measured"));
         printf("%s\n", heard.text);
         check_images(&rig, &fixture);
         fixture_release(&fixture);
