@@ -1,6 +1,6 @@
 /*
- * What hosts do between view_begin and view_end: they delete what was bound before, they change what
- * the view's framebuffer is read from, and they begin a view once more.
+ * What hosts do between view_begin and view_end: they delete what was bound before, they change
+ * what the view's framebuffer is read from, and they begin a view once more.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -186,7 +186,7 @@ static double cost_of_plan(const cupola_plan *plan, const struct brute_rays *ray
     return sum / rays->pixels;
 }
 
-/* Rigs of 60 to 300 degrees: every lens; eye and projector off axis, tilts, cropped frames, caps. */
+/* Rigs of 60 to 300 degrees: every lens; eye and projector off axis, tilts, crops, caps. */
 static struct cupola_rig brute_rig(uint64_t *seed)
 {
     enum cupola_lens_model model = (enum cupola_lens_model)random_int(seed, 0, 5);

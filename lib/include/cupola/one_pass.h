@@ -67,6 +67,7 @@ enum cupola_pass_way {
  */
 CUPOLA_API int cupola_pass_way(struct cupola_error *error);
 
+/* Of which shader the text is. */
 enum cupola_pass_stage { CUPOLA_PASS_STAGE_VERTEX = 0, CUPOLA_PASS_STAGE_GEOMETRY };
 
 /* Of a geometry shader: what the host's calls draw. */
@@ -89,8 +90,8 @@ struct cupola_pass_shader {
      * the vertex shader chooses the view.
      */
     const char *const *varyings;
-    int varying_count; /* 0 to CUPOLA_PASS_VARYINGS_MAX */
-    enum cupola_pass_primitive primitive;
+    int varying_count;                    /* 0 to CUPOLA_PASS_VARYINGS_MAX */
+    enum cupola_pass_primitive primitive; /* what the host draws; 0: triangles */
     /*
      * How many gl_ClipDistance the host's vertex shader writes, for the geometry shader that has to
      * pass them on; 0 to CUPOLA_PASS_CLIP_DISTANCES_MAX, in OpenGL ES those of
@@ -128,7 +129,7 @@ CUPOLA_API int cupola_pass_glsl(const struct cupola_pass_shader *shader, char *t
 struct cupola_gl_pass {
     unsigned int framebuffer; /* already bound for drawing and reading */
     unsigned int buffer;      /* of the uniform block; not bound. The same as long as gl lives */
-    int view_count;
+    int view_count;           /* of the plan; instances per object of the host's */
     /* For culling: matrices and planes of each, as view_begin gives them (without the host's
      * matrix). Its rectangle is that of the viewport of the same index. */
     struct cupola_gl_view views[CUPOLA_VIEWS_MAX];

@@ -75,9 +75,9 @@ struct cupola_plan_params {
     /* Puts each view's rotation into its projection matrix instead of its view matrix, so that
      * lighting computed in eye space is the same in every view. */
     bool rotation_in_projection;
-    int max_texture_px;    /* largest side of the atlas, 64 to 32768; 0: 16384 */
-    enum cupola_goal goal; /* 0: fill */
-    struct cupola_cost cost;
+    int max_texture_px;      /* largest side of the atlas, 64 to 32768; 0: 16384 */
+    enum cupola_goal goal;   /* 0: fill */
+    struct cupola_cost cost; /* what is minimised */
     /* The host does not lay the mask of what no pixel samples: whole rectangles are shaded. */
     bool unmasked;
     /* Of a sphere round the rig's eye in which cupola_plan_set_eye may move it, m: sizes and
