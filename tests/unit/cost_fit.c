@@ -95,7 +95,7 @@ static void trials_that_cannot_tell_are_refused(void **state)
     check_refused(trials, 65, "65; allowed: 3 to 64");
     check_refused(NULL, 12, "trials is NULL");
     assert_int_equal(cupola_cost_fit(trials, 12, NULL, NULL), CUPOLA_ERROR_ARGUMENT);
-    trials[4].seconds = NAN;
+    trials[4].seconds = (double)NAN;
     check_refused(trials, 12, "time in seconds of trial 4");
     trials[4].seconds = 0.0;
     trials[4].texels_shaded = -1.0;
