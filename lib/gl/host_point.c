@@ -1,14 +1,6 @@
 /* Saving and restoring of what drawing points changes. */
 #include "host_point.h"
 
-static void set_capability(GLenum name, GLboolean on)
-{
-    if (on)
-        glEnable(name);
-    else
-        glDisable(name);
-}
-
 void host_point_set(const struct host_features *features)
 {
     if (!features->es)
@@ -37,6 +29,6 @@ void host_point_restore(const struct host_point *point, const struct host_featur
         glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, point->fade_threshold_px);
     if (!features->compatibility)
         return;
-    set_capability(GL_POINT_SMOOTH, point->smooth);
-    set_capability(GL_POINT_SPRITE, point->sprite);
+    host_set_capability(GL_POINT_SMOOTH, point->smooth);
+    host_set_capability(GL_POINT_SPRITE, point->sprite);
 }

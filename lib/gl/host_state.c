@@ -66,7 +66,7 @@ void host_capabilities_find(struct host_features *features)
         features->capabilities[i] = host_has(features, capabilities[i].origin);
 }
 
-static void set_capability(GLenum name, GLboolean on)
+void host_set_capability(GLenum name, GLboolean on)
 {
     if (on)
         glEnable(name);
@@ -103,7 +103,7 @@ static void set_scissor(const struct host_features *features, const GLint s[4], 
         return;
     }
     glScissor(s[0], s[1], s[2], s[3]);
-    set_capability(GL_SCISSOR_TEST, test);
+    host_set_capability(GL_SCISSOR_TEST, test);
 }
 
 void host_target_forget_deleted(struct host_target *target)
@@ -141,7 +141,7 @@ void host_set_area(const struct host_features *features, GLint x, GLint y, GLsiz
 void host_set_encoding(const struct host_features *features, bool encoding)
 {
     if (!features->srgb_always)
-        set_capability(GL_FRAMEBUFFER_SRGB, encoding);
+        host_set_capability(GL_FRAMEBUFFER_SRGB, encoding);
 }
 
 /* Questions about the host's state, where it is kept. */
@@ -206,7 +206,7 @@ static void save_fixed_function(struct host_state *state)
         if (!state->features->capabilities[i])
             continue;
         state->capabilities[i] = is_on(state, capabilities[i].name);
-        set_capability(capabilities[i].name, capabilities[i].wanted);
+        host_set_capability(capabilities[i].name, capabilities[i].wanted);
     }
     state->blend = is_on(state, GL_BLEND); /* of draw buffer 0 where there are several */
     host_blend_set(state->features, GL_FALSE);
@@ -294,7 +294,7 @@ static void restore_fixed_function(const struct host_state *state)
 {
     for (int i = 0; i < CAPABILITY_COUNT; i++)
         if (state->features->capabilities[i])
-            set_capability(capabilities[i].name, state->capabilities[i]);
+            host_set_capability(capabilities[i].name, state->capabilities[i]);
     host_blend_set(state->features, state->blend);
     host_blend_equations_restore(state->features, state->blend_equation);
     host_blend_factors_set(state->features, state->blend_factors);

@@ -125,6 +125,9 @@ void host_set_encoding(const struct host_features *features, bool encoding);
  */
 void host_set_over(const struct host_features *features, bool linear);
 
+/* glEnable or glDisable. */
+void host_set_capability(GLenum name, GLboolean on);
+
 /* Sets viewport 0 alone. */
 void host_set_viewport(const struct host_features *features, GLint x, GLint y, GLsizei width,
                        GLsizei height);
