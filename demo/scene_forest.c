@@ -54,19 +54,6 @@ static void cull(struct forest_scene *scene, int kind, const struct scene_camera
     }
 }
 
-static void draw_sky(const struct forest_scene *scene, const struct scene_camera *camera)
-{
-    GLuint program = scene_program(&scene->backdrop, camera);
-
-    glUseProgram(program);
-    if (!scene_set_camera(program, camera) || !scene_set_rays(program, camera, true, NULL))
-        return;
-    scene_backdrop_begin(camera);
-    glBindVertexArray(scene->no_vertices);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
-    scene_backdrop_end();
-}
-
 /* One call for each kind, of the trees of one view or of all. */
 static void draw_trees(struct forest_scene *scene, const struct scene_camera *camera)
 {
@@ -108,7 +95,7 @@ static void forest_scene_draw(struct scene *base, const struct scene_camera *cam
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    draw_sky(scene, camera);
+    scene_backdrop_draw(&scene->backdrop, camera, scene->no_vertices);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);

@@ -26,19 +26,6 @@ struct model_scene {
     GLuint *pictures; /* one per picture of the model; 0: none */
 };
 
-static void draw_backdrop(const struct model_scene *scene, const struct scene_camera *camera)
-{
-    GLuint program = scene_program(&scene->backdrop, camera);
-
-    glUseProgram(program);
-    if (!scene_set_camera(program, camera) || !scene_set_rays(program, camera, true, NULL))
-        return;
-    scene_backdrop_begin(camera);
-    glBindVertexArray(scene->no_vertices);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
-    scene_backdrop_end();
-}
-
 static void draw_batches(const struct model_scene *scene, GLuint program, int views)
 {
     GLint vertex_colored = glGetUniformLocation(program, "vertex_colored");
@@ -66,7 +53,7 @@ static void model_scene_draw(struct scene *base, const struct scene_camera *came
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     if (scene->backdrop.one_view)
-        draw_backdrop(scene, camera);
+        scene_backdrop_draw(&scene->backdrop, camera, scene->no_vertices);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_TRUE);

@@ -31,10 +31,7 @@ static void rays_draw(struct scene *scene, const struct scene_camera *camera)
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    scene_backdrop_begin(camera);
-    glBindVertexArray(rays->vertex_array);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
-    scene_backdrop_end();
+    scene_fill(camera, rays->vertex_array);
     glBindVertexArray(0);
     glUseProgram(0);
 }

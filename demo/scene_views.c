@@ -46,16 +46,24 @@ const struct cupola_camera *scene_view(const struct scene_camera *camera, int in
     return camera->pass ? &camera->pass->views[index].camera : camera->view;
 }
 
-void scene_backdrop_begin(const struct scene_camera *camera)
+void scene_fill(const struct scene_camera *camera, unsigned int vertex_array)
 {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(camera->reversed_depth ? GL_GREATER : GL_LESS);
     glDepthMask(GL_FALSE);
+    glBindVertexArray(vertex_array);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, 3, scene_view_count(camera));
+    glDepthMask(GL_TRUE);
 }
 
-void scene_backdrop_end(void)
+void scene_backdrop_draw(const struct scene_programs *backdrop, const struct scene_camera *camera,
+                         unsigned int vertex_array)
 {
-    glDepthMask(GL_TRUE);
+    GLuint program = scene_program(backdrop, camera);
+
+    glUseProgram(program);
+    if (scene_set_camera(program, camera) && scene_set_rays(program, camera, true, NULL))
+        scene_fill(camera, vertex_array);
 }
 
 /* The same camera with one view of its own. */

@@ -33,11 +33,14 @@ int scene_view_count(const struct scene_camera *camera);
 const struct cupola_camera *scene_view(const struct scene_camera *camera, int index);
 
 /*
- * The tests with which a backdrop is drawn, before all else: it hides nothing and leaves out what
- * is masked.
+ * Fills the views by the program that is in use, before all else: it hides nothing and leaves out
+ * what is masked. The vertex array has no attribute.
  */
-void scene_backdrop_begin(const struct scene_camera *camera);
-void scene_backdrop_end(void);
+void scene_fill(const struct scene_camera *camera, unsigned int vertex_array);
+
+/* The same by the backdrop's program, with the rays of the world. */
+void scene_backdrop_draw(const struct scene_programs *backdrop, const struct scene_camera *camera,
+                         unsigned int vertex_array);
 
 /*
  * Sets clip_from_world and eye of the program that is in use. False for a matrix that is no
