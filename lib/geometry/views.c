@@ -28,6 +28,23 @@ bool view_hit(const struct cupola_view *view, const double ray[3], double base[2
     return true;
 }
 
+void view_base(const struct cupola_view *view, double base[4])
+{
+    base[0] = view->left;
+    base[1] = view->bottom;
+    base[2] = view->right - view->left;
+    base[3] = view->top - view->bottom;
+}
+
+void view_share(const struct cupola_view *view, const struct cupola_plan_report *report,
+                double share[4])
+{
+    share[0] = (double)view->rect.x / report->atlas_width_px;
+    share[1] = (double)view->rect.y / report->atlas_height_px;
+    share[2] = (double)view->rect.width / report->atlas_width_px;
+    share[3] = (double)view->rect.height / report->atlas_height_px;
+}
+
 void view_texel(const struct cupola_view *view, const double base[2], double texel[2])
 {
     double u = (base[0] - view->left) / (view->right - view->left);

@@ -8,7 +8,8 @@
 #include <string.h>
 
 #include "error.h"
-#include "geometry/vector.h"
+#include "geometry/views.h"
+#include "program.h"
 
 /* A text that grows up to CONSTANTS_MAX. */
 struct text {
@@ -83,41 +84,24 @@ static void add_array(struct text *text, const char *type, const char *name, con
 
 static void add_projector(struct text *text, const cupola_dome *dome, int output)
 {
-    const struct projector *projector = &dome->projectors[output];
-    const double size[2] = {projector->width_px, projector->height_px};
-    const double *position_m = projector->position_m, radius_m = projector->screen_radius_m;
-    const double room = radius_m * radius_m - dot3(position_m, position_m);
-    const double cap_cosine = projector->capped ? projector->cap_cosine : -2;
-    add_constant(text, "float", "lens_half_fov", &projector->lens.half_fov, 1);
-    add_constant(text, "float", "lens_scale", &projector->lens.scale, 1);
-    add_constant(text, "vec4", "lens_k", projector->lens.k, 4);
-    add_constant(text, "vec2", "output_size", size, 2);
-    add_constant(text, "vec2", "circle_center", projector->center_px, 2);
-    add_constant(text, "vec2", "circle_sign", projector->sign, 2);
-    add_constant(text, "mat3", "aim", projector->aim, 9);
-    add_constant(text, "vec3", "projector_position", projector->position_m, 3);
-    add_constant(text, "float", "screen_radius", &projector->screen_radius_m, 1);
-    add_constant(text, "float", "screen_room", &room, 1);
-    add_constant(text, "float", "cap_cosine", &cap_cosine, 1);
-    add_constant(text, "mat3", "tilt", dome->tilt, 9);
+    struct shader_value values[PROJECTOR_VALUES];
+    program_projector_values(dome, output, values);
+    for (int i = 0; i < PROJECTOR_VALUES; i++)
+        add_constant(text, values[i].type, values[i].name, values[i].numbers, values[i].count);
 }
 
 /* What follows the views' bases is left out where those may move. */
 static void add_views(struct text *text, const cupola_plan *plan, bool resting)
 {
-    const double atlas[2] = {plan->report.atlas_width_px, plan->report.atlas_height_px};
     double selectors[3 * CUPOLA_VIEWS_MAX], rotations[9 * CUPOLA_VIEWS_MAX];
     double bases[4 * CUPOLA_VIEWS_MAX], rects[4 * CUPOLA_VIEWS_MAX], fits[4 * CUPOLA_VIEWS_MAX];
     for (int v = 0; v < plan->view_count; v++) {
         const struct cupola_view *view = &plan->views[v];
-        const double base[4] = {view->left, view->bottom, view->right - view->left,
-                                view->top - view->bottom};
-        const double rect[4] = {view->rect.x / atlas[0], view->rect.y / atlas[1],
-                                view->rect.width / atlas[0], view->rect.height / atlas[1]};
+        double *base = bases + 4 * v, *rect = rects + 4 * v;
+        view_base(view, base);
+        view_share(view, &plan->report, rect);
         memcpy(selectors + 3 * v, view->selector, sizeof view->selector);
         memcpy(rotations + 9 * v, view->rotation, sizeof view->rotation);
-        memcpy(bases + 4 * v, base, sizeof base);
-        memcpy(rects + 4 * v, rect, sizeof rect);
         for (int i = 0; i < 2; i++) {
             fits[4 * v + 2 + i] = rect[2 + i] / base[2 + i];
             fits[4 * v + i] = rect[i] - base[i] * fits[4 * v + 2 + i];

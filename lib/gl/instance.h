@@ -227,6 +227,10 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
 enum { WARP_LINES_MAX = 320 };
 void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX]);
 
+/* What shows the views pixel by pixel, with any vertex shader. 0 on failure. */
+GLuint warp_program_compile(const char *vertex_name, const char *vertex_text, const char *defines,
+                            struct cupola_error *error);
+
 /* Which units the program in use finds views and table on. */
 void warp_set_units(const cupola_gl *gl, GLuint program);
 

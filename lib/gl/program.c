@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "geometry/vector.h"
+#include "geometry/views.h"
 #include "guest.h"
 #include "shaders.h"
 
@@ -171,14 +172,8 @@ void program_set_rotation(GLuint program, const char *name, const double rotatio
     glUniformMatrix3fv(glGetUniformLocation(program, name), 1, GL_TRUE, m);
 }
 
-static void set_lens(GLuint program, const struct lens *lens)
+static void set_knots(GLuint program, const struct lens_table *table)
 {
-    program_set_vector(program, "lens_half_fov", &lens->half_fov, 1);
-    program_set_vector(program, "lens_scale", &lens->scale, 1);
-    program_set_vector(program, "lens_k", lens->k, 4);
-    if (lens->model != CUPOLA_LENS_TABLE)
-        return;
-    const struct lens_table *table = &lens->table;
     glUniform1i(glGetUniformLocation(program, "lens_knot_count"), table->count);
     for (int i = 0; i < table->count; i++) {
         char name[32];
@@ -188,24 +183,55 @@ static void set_lens(GLuint program, const struct lens *lens)
     }
 }
 
-void program_set_projector(GLuint program, const cupola_dome *dome, int output)
+static struct shader_value value_of(const char *type, const char *name, const double *numbers,
+                                    int count)
+{
+    struct shader_value value = {type, name, {0}, count};
+    memcpy(value.numbers, numbers, (size_t)count * sizeof *numbers);
+    return value;
+}
+
+void program_projector_values(const cupola_dome *dome, int output,
+                              struct shader_value values[PROJECTOR_VALUES])
 {
     const struct projector *projector = &dome->projectors[output];
+    const struct lens *lens = &projector->lens;
     const double size[2] = {projector->width_px, projector->height_px};
     const double *position_m = projector->position_m, radius_m = projector->screen_radius_m;
     const double room = radius_m * radius_m - dot3(position_m, position_m);
     const double cap_cosine = projector->capped ? projector->cap_cosine : -2;
-    set_lens(program, &projector->lens);
-    program_set_vector(program, "output_size", size, 2);
-    program_set_vector(program, "circle_center", projector->center_px, 2);
+    const struct shader_value all[PROJECTOR_VALUES] = {
+        value_of("float", "lens_half_fov", &lens->half_fov, 1),
+        value_of("float", "lens_scale", &lens->scale, 1),
+        value_of("vec4", "lens_k", lens->k, 4),
+        value_of("vec2", "output_size", size, 2),
+        value_of("vec2", "circle_center", projector->center_px, 2),
+        value_of("vec2", "circle_sign", projector->sign, 2),
+        value_of("mat3", "aim", projector->aim, 9),
+        value_of("vec3", "projector_position", position_m, 3),
+        value_of("float", "screen_radius", &radius_m, 1),
+        value_of("float", "screen_room", &room, 1),
+        value_of("float", "cap_cosine", &cap_cosine, 1),
+        value_of("mat3", "tilt", dome->tilt, 9),
+    };
+    memcpy(values, all, sizeof all);
+}
+
+void program_set_projector(GLuint program, const cupola_dome *dome, int output)
+{
+    const struct projector *projector = &dome->projectors[output];
+    struct shader_value values[PROJECTOR_VALUES];
+    program_projector_values(dome, output, values);
+    for (int i = 0; i < PROJECTOR_VALUES; i++) {
+        const struct shader_value *value = &values[i];
+        if (value->count == 9)
+            program_set_rotation(program, value->name, value->numbers);
+        else
+            program_set_vector(program, value->name, value->numbers, value->count);
+    }
     program_set_vector(program, "circle_radius", &projector->radius_px, 1);
-    program_set_vector(program, "circle_sign", projector->sign, 2);
-    program_set_rotation(program, "aim", projector->aim);
-    program_set_vector(program, "projector_position", projector->position_m, 3);
-    program_set_vector(program, "screen_radius", &projector->screen_radius_m, 1);
-    program_set_vector(program, "screen_room", &room, 1);
-    program_set_vector(program, "cap_cosine", &cap_cosine, 1);
-    program_set_rotation(program, "tilt", dome->tilt);
+    if (projector->lens.model == CUPOLA_LENS_TABLE)
+        set_knots(program, &projector->lens.table);
     program_place_eye(glGetUniformLocation(program, "eye"), dome);
 }
 
@@ -219,9 +245,8 @@ void program_place_bases(GLint location, const cupola_plan *plan)
 {
     GLfloat bases[4 * CUPOLA_VIEWS_MAX];
     for (int v = 0; v < plan->view_count; v++) {
-        const struct cupola_view *view = &plan->views[v];
-        const double base[4] = {view->left, view->bottom, view->right - view->left,
-                                view->top - view->bottom};
+        double base[4];
+        view_base(&plan->views[v], base);
         for (int i = 0; i < 4; i++)
             bases[4 * v + i] = (GLfloat)base[i];
     }
@@ -230,12 +255,11 @@ void program_place_bases(GLint location, const cupola_plan *plan)
 
 void program_set_views(GLuint program, const cupola_plan *plan)
 {
-    const double atlas[2] = {plan->report.atlas_width_px, plan->report.atlas_height_px};
     for (int v = 0; v < plan->view_count; v++) {
         const struct cupola_view *view = &plan->views[v];
-        const double rect[4] = {view->rect.x / atlas[0], view->rect.y / atlas[1],
-                                view->rect.width / atlas[0], view->rect.height / atlas[1]};
+        double rect[4];
         char name[32];
+        view_share(view, &plan->report, rect);
         snprintf(name, sizeof name, "view_selector[%d]", v);
         program_set_vector(program, name, view->selector, 3);
         snprintf(name, sizeof name, "view_rotation[%d]", v);

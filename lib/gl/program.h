@@ -31,6 +31,18 @@ enum { PROGRAM_DEFINES_MAX = 512 };
 void program_defines(const cupola_dome *dome, int output, int view_count, int stage,
                      char defines[PROGRAM_DEFINES_MAX]);
 
+/* What the files of shaders/ know under a name: float, vec2 to vec4, or mat3 row by row. */
+struct shader_value {
+    const char *type, *name;
+    double numbers[9];
+    int count;
+};
+
+/* What lens.glsl and points.glsl know of an output, but for circle_radius, knots and eye. */
+enum { PROJECTOR_VALUES = 12 };
+void program_projector_values(const cupola_dome *dome, int output,
+                              struct shader_value values[PROJECTOR_VALUES]);
+
 /* Set the uniforms of lens.glsl, points.glsl and views.glsl; the program must be in use. */
 void program_set_projector(GLuint program, const cupola_dome *dome, int output);
 void program_set_views(GLuint program, const cupola_plan *plan);

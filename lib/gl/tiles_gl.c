@@ -11,6 +11,7 @@
 #include "constants.h"
 #include "error.h"
 #include "geometry/vector.h"
+#include "geometry/views.h"
 #include "gl_objects.h"
 #include "host_buffer.h"
 #include "instance.h"
@@ -26,17 +27,14 @@ static const char *const kind_names[TILE_KINDS] = {"pure", "pair", "choosing", "
 static void view_matrix(const cupola_plan *plan, const struct cupola_view *view, bool atlas,
                         double matrix[9])
 {
-    const double size[2] = {view->left, view->bottom};
-    const double extent[2] = {view->right - view->left, view->top - view->bottom};
-    const double from[2] = {(double)view->rect.x / plan->report.atlas_width_px,
-                            (double)view->rect.y / plan->report.atlas_height_px};
-    const double share[2] = {(double)view->rect.width / plan->report.atlas_width_px,
-                             (double)view->rect.height / plan->report.atlas_height_px};
+    double base[4], share[4];
+    view_base(view, base);
+    view_share(view, &plan->report, share);
     for (int k = 0; k < 3; k++) {
         double depth = -view->rotation[6 + k];
         for (int i = 0; i < 2; i++) {
-            double place = (view->rotation[3 * i + k] - size[i] * depth) / extent[i];
-            matrix[3 * i + k] = atlas ? from[i] * depth + share[i] * place : place;
+            double place = (view->rotation[3 * i + k] - base[i] * depth) / base[2 + i];
+            matrix[3 * i + k] = atlas ? share[i] * depth + share[2 + i] * place : place;
         }
         matrix[6 + k] = depth;
     }
@@ -188,11 +186,6 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
                            struct cupola_error *error)
 {
     static const struct shader_file vertex = {"tile.vert", shader_tile_vert};
-    static const struct shader_file exact[] = {
-        {"lens.glsl", shader_lens_glsl},   {"points.glsl", shader_points_glsl},
-        {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
-        {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
-    };
     static const struct shader_file other[] = {
         {"views.glsl", shader_views_glsl},
         {"images.glsl", shader_images_glsl},
@@ -212,8 +205,9 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
         return 0;
     const struct tiles *tiles = &gl->passes[output].tiles.tiles;
     const double viewport[2] = {tiles->width_px, tiles->height_px};
-    GLuint program = kind == TILE_EXACT ? program_create_by(&vertex, defines, exact, 6, error)
-                                        : program_create_by(&vertex, defines, other, 4, error);
+    GLuint program = kind == TILE_EXACT
+                         ? warp_program_compile(vertex.name, vertex.text, defines, error)
+                         : program_create_by(&vertex, defines, other, 4, error);
     if (!program)
         return 0;
     glUseProgram(program);

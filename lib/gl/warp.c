@@ -25,21 +25,29 @@ void warp_set_units(const cupola_gl *gl, GLuint program)
                      gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count, units);
 }
 
-static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
-                                   struct cupola_error *error)
+GLuint warp_program_compile(const char *vertex_name, const char *vertex_text, const char *defines,
+                            struct cupola_error *error)
 {
+    const struct shader_file vertex = {vertex_name, vertex_text};
     static const struct shader_file files[] = {
         {"lens.glsl", shader_lens_glsl},   {"points.glsl", shader_points_glsl},
         {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
         {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
     };
+    return program_create_by(&vertex, defines, files, 6, error);
+}
+
+static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
+                                   struct cupola_error *error)
+{
     char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + CONSTANTS_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->passes[output].stage,
                     defines);
     strcat(defines, lines);
     if (constants_write(gl, output, defines + strlen(defines), error) != CUPOLA_OK)
         return 0;
-    GLuint program = program_create(defines, files, 6, error);
+    GLuint program =
+        warp_program_compile("fullscreen.vert", shader_fullscreen_vert, defines, error);
     if (!program)
         return 0;
     glUseProgram(program);
