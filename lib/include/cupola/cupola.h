@@ -5,6 +5,7 @@
 #ifndef CUPOLA_CUPOLA_H
 #define CUPOLA_CUPOLA_H
 
+#include "antialiasing.h"
 #include "cost.h"
 #include "dome.h"
 #include "error.h"

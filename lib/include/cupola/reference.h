@@ -5,6 +5,7 @@
 #ifndef CUPOLA_REFERENCE_H
 #define CUPOLA_REFERENCE_H
 
+#include "antialiasing.h"
 #include "overlay.h"
 #include "plan.h"
 #include "source.h"
@@ -20,12 +21,28 @@ extern "C" {
  * atlas   RGBA floats, rows from the bottom up, of the size in the plan's report
  * border  RGBA of pixels that are not lit; NULL: all zero
  * image   out: RGBA floats, rows from the bottom up, of the output's size
- * returns CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT
+ * returns CUPOLA_OK, CUPOLA_ERROR_ARGUMENT or CUPOLA_ERROR_MEMORY
  * thread  any
  * since   0.1
  */
 CUPOLA_API int cupola_reference_warp(const cupola_plan *plan, int output, const float *atlas,
                                      const float border[4], float *image);
+
+/*
+ * The same with a filter, as a GL that was made with it does: cupola_reference_warp is this with
+ * one that is all zero.
+ *
+ * output  index
+ * filter  NULL: all zero
+ * atlas, border, image
+ *         as above
+ * returns CUPOLA_OK; CUPOLA_ERROR_ARGUMENT, for an impossible filter too; CUPOLA_ERROR_MEMORY
+ * thread  any
+ * since   0.1
+ */
+CUPOLA_API int cupola_reference_filter(const cupola_plan *plan, int output,
+                                       const struct cupola_filter *filter, const float *atlas,
+                                       const float border[4], float *image);
 
 /*
  * Draws the views themselves from a function of the ray, so that a whole dome image can be made
