@@ -18,6 +18,7 @@
 #include "check.h"
 #include "cupola/image_file.h"
 #include "cupola/plan.h"
+#include "cupola/resolution.h"
 #include "cupola/rig_file.h"
 #include "folder.h"
 
@@ -137,6 +138,17 @@ static int create_usual_plan(const char *path, struct cupola_error *error)
     return create_plan(CUPOLA_LAYOUT_AUTO, 3, error);
 }
 
+static cupola_plan *measured_plan;
+
+static int measure_resolution(const char *path, struct cupola_error *error)
+{
+    (void)path;
+    struct cupola_resolution resolution = {.views = -7};
+    int status = cupola_resolution_measure(measured_plan, 0, &resolution, error);
+    assert_int_equal(resolution.views == -7, status != CUPOLA_OK);
+    return status;
+}
+
 static void fill(struct cupola_rig *rig)
 {
     memset(rig, 0x5a, sizeof *rig);
@@ -201,6 +213,9 @@ static void domes_and_plans_survive(void **state)
     (void)state;
     check_at_least(try_each_allocation(create_dome, NULL), 1);
     check_at_least(try_each_allocation(create_usual_plan, NULL), 10);
+    assert_int_equal(cupola_plan_create(dome, NULL, &measured_plan, NULL), CUPOLA_OK);
+    check_at_least(try_each_allocation(measure_resolution, NULL), 7);
+    cupola_plan_destroy(&measured_plan);
 }
 
 static void rig_files_survive(void **state)

@@ -17,6 +17,7 @@
 #include "overlay.h"
 #include "plan.h"
 #include "reference.h"
+#include "resolution.h"
 #include "rig.h"
 #include "source.h"
 #include "theatre.h"
