@@ -18,6 +18,9 @@ void main()
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
     Varying inside = point_inside_rim(pixel, point);
+#if JITTERS
+    point = screen_point(lens_ray(circle_place(jittered_place(pixel, point))));
+#endif
     Varying direction = source_direction(Varying(point.at, inside.dx, inside.dy));
 #if SOURCE == SOURCE_CUBE
     vec4 light = textureGrad(picture, direction.at, direction.dx, direction.dy);

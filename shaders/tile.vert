@@ -6,6 +6,9 @@ layout(location = 0) in vec4 tile; // lower left corner and side, px; the view t
 
 uniform vec2 viewport_size; // px: whole tiles
 uniform vec2 target_corner; // of the output's image in the target, px
+#if JITTERS
+uniform vec2 ray_jitter; // px
+#endif
 
 #if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (GAIN && TILE_KIND != TILE_PAIR)
 flat out vec2 corner;
@@ -56,6 +59,9 @@ void main()
 #endif
 #if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
     middle = vec4(target_corner + tile.xy + 0.5 * tile.z, tile.w, tile.w);
+#if JITTERS
+    middle.xy -= ray_jitter;
+#endif
 #if TILE_KIND == TILE_CHOOSING
     mat3 turn = tilt;
 #else

@@ -17,6 +17,9 @@ void main()
 #if STAGE == STAGE_NONE
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
+#if JITTERS
+    point = screen_point(lens_ray(circle_place(jittered_place(pixel, point))));
+#endif
     vec3 ray = eye_ray(point.at);
 #else
     vec4 entry = texelFetch(table, ivec2(pixel), 0);

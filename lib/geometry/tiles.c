@@ -226,7 +226,8 @@ static int views_of(const struct choice *choice, struct tile_piece *piece, int v
         double lead[TILE_GRID_PLACES];
         for (int i = 0; i < TILE_GRID_PLACES; i++)
             lead[i] = leads[own][i] - leads[v][i];
-        if (v == own || range_of(lead, piece->side_px).least > 0)
+        struct range range = range_of(lead, piece->side_px);
+        if (v == own || range.least > choice->tiles->reach_px * range.slope)
             continue;
         if (found == 1)
             views[1] = v;
@@ -291,12 +292,13 @@ static int whole_squares(int length_px, int side_px)
     return (length_px + side_px - 1) / side_px * side_px;
 }
 
-int tiles_create(const cupola_plan *plan, int output, int most_px, struct tiles *tiles,
-                 struct cupola_error *error)
+int tiles_create(const cupola_plan *plan, int output, int most_px, double reach_px,
+                 struct tiles *tiles, struct cupola_error *error)
 {
     const struct cupola_output *size = &plan->dome.rig.outputs[output];
     *tiles = (struct tiles){.output = output,
                             .most_px = most_px,
+                            .reach_px = reach_px,
                             .width_px = whole_squares(size->width_px, most_px),
                             .height_px = whole_squares(size->height_px, most_px)};
     bool done = cut_output(plan, tiles) && choose_all(plan, tiles, true);

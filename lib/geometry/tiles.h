@@ -57,6 +57,7 @@ struct tile_piece {
 struct tiles {
     int output;
     int most_px;             /* the largest there may be */
+    double reach_px;         /* of a pixel's rays, from its middle */
     int width_px, height_px; /* of the whole squares that cover the output */
     int piece_count, piece_most;
     struct tile_piece *pieces;
@@ -65,11 +66,12 @@ struct tiles {
 };
 
 /*
- * Cuts an output, into squares of most_px: TILE_LEAST_PX to TILE_MOST_PX, by powers of 2. CUPOLA_OK
- * or CUPOLA_ERROR_MEMORY.
+ * Cuts an output, into squares of most_px: TILE_LEAST_PX to TILE_MOST_PX, by powers of 2. Rays of
+ * pixels lie within reach_px of their middles: a tile is only pure if all of them fall to one view.
+ * CUPOLA_OK or CUPOLA_ERROR_MEMORY.
  */
-int tiles_create(const cupola_plan *plan, int output, int most_px, struct tiles *tiles,
-                 struct cupola_error *error);
+int tiles_create(const cupola_plan *plan, int output, int most_px, double reach_px,
+                 struct tiles *tiles, struct cupola_error *error);
 void tiles_destroy(struct tiles *tiles);
 
 /*

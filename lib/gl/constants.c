@@ -123,7 +123,7 @@ int constants_write(const cupola_gl *gl, int output, char words[CONSTANTS_MAX],
     const double border[4] = {(double)gl->params.border[0], (double)gl->params.border[1],
                               (double)gl->params.border[2], (double)gl->params.border[3]};
     struct text text = {words, 0, false};
-    bool resting = !(gl->plan.head_radius_m > 0);
+    bool resting = !(gl->plan.head_radius_m > 0) && !gl->params.jitters;
     add(&text, "#define RIG_BAKED\n");
     add_projector(&text, dome, output);
     add_constant(&text, "vec4", "border", border, 4);

@@ -10,7 +10,7 @@ enum { CONSTANTS_MAX = 8192 };
 /*
  * RIG_BAKED and the constants of lens.glsl, points.glsl and views.glsl of one output, in place of
  * the uniforms of these names; measured lenses' knots stay uniforms. With a plan whose eye cannot
- * move EYE_BAKED, too, and the constants that follow it.
+ * move, and without jitters, EYE_BAKED, too, and the constants that follow it.
  * Fails where the room above should not suffice.
  */
 int constants_write(const cupola_gl *gl, int output, char words[CONSTANTS_MAX],

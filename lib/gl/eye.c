@@ -20,7 +20,9 @@ static int set_eye(cupola_gl *gl, const double eye_m[3], struct cupola_error *er
     const double *here_m = gl->plan.dome.rig.eye_m;
     if (eye_m && memcmp(eye_m, here_m, sizeof gl->plan.dome.rig.eye_m) == 0)
         return CUPOLA_OK;
+    jitter_lift(gl);
     int status = cupola_plan_set_eye(&gl->plan, eye_m, error);
+    jitter_lay(gl);
     if (status == CUPOLA_OK)
         gl->moves++;
     return status;

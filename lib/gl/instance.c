@@ -50,7 +50,8 @@ int color_check(const char *name, const float color[4], struct cupola_error *err
     return CUPOLA_OK;
 }
 
-static int check_params(const struct cupola_gl_params *params, struct cupola_error *error)
+static int check_params(const struct cupola_gl_params *params, int guard_px,
+                        struct cupola_error *error)
 {
     int status = views_check_params(params, error);
     if (status != CUPOLA_OK)
@@ -65,7 +66,8 @@ static int check_params(const struct cupola_gl_params *params, struct cupola_err
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "table stage is coordinates, which are those of the atlas; allowed for "
                          "the host's textures: points, none, angles, sines, tiles, auto");
-    if ((status = mask_check_params(params, error)) != CUPOLA_OK)
+    if ((status = jitter_check_params(params, guard_px, error)) != CUPOLA_OK ||
+        (status = mask_check_params(params, error)) != CUPOLA_OK)
         return status;
     if (params->encoding < CUPOLA_ENCODING_LINEAR || params->encoding > CUPOLA_ENCODING_SRGB)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "encoding is %d; allowed: %d to %d",
@@ -160,7 +162,7 @@ static int create(const cupola_plan *plan, const struct cupola_gl_params *params
     if (!plan || !gl)
         return error_set(error, CUPOLA_ERROR_ARGUMENT, "%s is NULL", plan ? "gl" : "plan");
     int status = context_check(error);
-    if (status != CUPOLA_OK || (status = check_params(params, error)) != CUPOLA_OK)
+    if (status != CUPOLA_OK || (status = check_params(params, plan->guard_px, error)) != CUPOLA_OK)
         return status;
     cupola_gl *made = calloc(1, sizeof *made);
     if (!made)

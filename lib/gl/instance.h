@@ -6,6 +6,7 @@
  *   mask      of texels that no pixel samples
  *   passes    tables and warps, one of each per output
  *   eye       what follows a viewer who moves
+ *   jitter    samples beside the middles of texels and pixels
  */
 #ifndef INSTANCE_H
 #define INSTANCE_H
@@ -23,8 +24,9 @@
 
 /* What shows one kind of source on one output. */
 struct warp_program {
-    GLuint program;                            /* 0 where the kind was not asked for */
-    GLint target_corner, encoded;              /* locations of uniforms; -1: not there */
+    GLuint program;               /* 0 where the kind was not asked for */
+    GLint target_corner, encoded; /* locations of uniforms; -1: not there */
+    GLint ray_jitter;
     GLint eye, bases, tile_views;              /* of views: what follows the eye */
     GLint rotation, center, half_fov, mipmaps; /* of pictures */
     GLint image_rect, image_layer;             /* of views that are the host's textures */
@@ -84,6 +86,13 @@ struct view_images {
     GLfloat layers[CUPOLA_VIEWS_MAX];
 };
 
+/* As cupola_gl_set_jitter was told. */
+struct jitter {
+    double texels[2], pixels[2];
+    bool laid;                         /* the plan's base rectangles are moved from here: */
+    double bases[CUPOLA_VIEWS_MAX][4]; /* left, right, bottom, top */
+};
+
 struct cupola_gl {
     struct cupola_plan plan; /* a copy of the host's */
     unsigned int moves;      /* of its eye; what was made for an eye follows when it is needed */
@@ -101,6 +110,7 @@ struct cupola_gl {
     GLuint gain_sampler;
     struct mask_pass mask;
     struct view_images images;
+    struct jitter jitter;
     struct warp_pass passes[CUPOLA_OUTPUTS_MAX];
     struct cupola_frame frame;
     bool frame_begun;
@@ -169,6 +179,17 @@ void mask_pass_forget(struct mask_pass *pass);
 void mask_lay(cupola_gl *gl, int view, enum cupola_mask kind, const struct cupola_rect *area,
               bool reversed);
 
+/* Takes the jitter out of the plan's base rectangles, and lays it in again. */
+void jitter_lift(cupola_gl *gl);
+void jitter_lay(cupola_gl *gl);
+
+/* Whether jitters are possible; so far as is known, all else has been checked. */
+int jitter_check_params(const struct cupola_gl_params *params, int guard_px,
+                        struct cupola_error *error);
+
+/* How far from the middle of its pixel a ray may be, px. */
+double jitter_reach_px(const cupola_gl *gl);
+
 /* Whether gl and an output of it may be worked on now. */
 int output_check(cupola_gl *gl, int output, struct cupola_error *error);
 
@@ -224,7 +245,7 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
  * Lines that images.glsl and light.glsl rely on. `asked`: whether encoding is done is a uniform in
  * any case.
  */
-enum { WARP_LINES_MAX = 320 };
+enum { WARP_LINES_MAX = 340 };
 void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX]);
 
 /* What shows the views pixel by pixel, with any vertex shader. 0 on failure. */

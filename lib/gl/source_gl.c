@@ -17,7 +17,7 @@ GLuint source_program_create(const cupola_gl *gl, int output, int kind, const ch
     static const struct shader_file files[] = {
         {"lens.glsl", shader_lens_glsl},     {"points.glsl", shader_points_glsl},
         {"source.glsl", shader_source_glsl}, {"light.glsl", shader_light_glsl},
-        {"source.frag", shader_source_frag},
+        {"jitter.glsl", shader_jitter_glsl}, {"source.frag", shader_source_frag},
     };
     char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + SOURCE_LINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, CUPOLA_TABLE_NONE, defines);
@@ -27,7 +27,7 @@ GLuint source_program_create(const cupola_gl *gl, int output, int kind, const ch
              "#define SOURCE_DOMEMASTER %d\n#define SOURCE_EQUIRECTANGULAR %d\n"
              "#define SOURCE_CUBE %d\n#define SOURCE %d\n",
              CUPOLA_SOURCE_DOMEMASTER, CUPOLA_SOURCE_EQUIRECTANGULAR, CUPOLA_SOURCE_CUBE, kind);
-    GLuint program = program_create(defines, files, 5, error);
+    GLuint program = program_create(defines, files, 6, error);
     if (!program)
         return 0;
     glUseProgram(program);

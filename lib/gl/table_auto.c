@@ -22,12 +22,15 @@ static const enum cupola_table stages[] = {CUPOLA_TABLE_TILES,  CUPOLA_TABLE_COO
 
 enum { STAGES = sizeof stages / sizeof stages[0] };
 
-/* Tables by the CPU take seconds; those that depend on the eye are drawn anew whenever it moves. */
+/*
+ * Tables by the CPU take seconds, those that depend on the eye are drawn anew whenever it moves,
+ * and none has rays beside the middles of pixels.
+ */
 static bool is_candidate(const cupola_gl *gl, enum cupola_table stage)
 {
     if (stage == CUPOLA_TABLE_NONE || stage == CUPOLA_TABLE_TILES)
         return true;
-    if (!gl->features.float_targets ||
+    if (gl->params.jitters || !gl->features.float_targets ||
         (stage == CUPOLA_TABLE_COORDINATES && gl->params.storage != CUPOLA_STORAGE_ATLAS))
         return false;
     return stage == CUPOLA_TABLE_POINTS || !(gl->plan.head_radius_m > 0);

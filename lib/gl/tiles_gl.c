@@ -143,7 +143,7 @@ int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
                          "this GL draws no points of %d px, which the table stage tiles needs; "
                          "allowed: the other stages",
                          TILE_LEAST_PX);
-    int status = tiles_create(&gl->plan, output, most_px, &pass->tiles, error);
+    int status = tiles_create(&gl->plan, output, most_px, jitter_reach_px(gl), &pass->tiles, error);
     if (status != CUPOLA_OK)
         return status;
     set_pairs(gl, &pass->tiles);

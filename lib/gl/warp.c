@@ -32,9 +32,10 @@ GLuint warp_program_compile(const char *vertex_name, const char *vertex_text, co
     static const struct shader_file files[] = {
         {"lens.glsl", shader_lens_glsl},   {"points.glsl", shader_points_glsl},
         {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
-        {"light.glsl", shader_light_glsl}, {"warp.frag", shader_warp_frag},
+        {"light.glsl", shader_light_glsl}, {"jitter.glsl", shader_jitter_glsl},
+        {"warp.frag", shader_warp_frag},
     };
-    return program_create_by(&vertex, defines, files, 6, error);
+    return program_create_by(&vertex, defines, files, 7, error);
 }
 
 static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
@@ -73,9 +74,9 @@ void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LI
     size_t length = strlen(lines);
     snprintf(lines + length, WARP_LINES_MAX - length,
              "#define STORAGE_ATLAS %d\n#define STORAGE_TEXTURES %d\n#define STORAGE_LAYERS %d\n"
-             "#define STORAGE %d\n",
+             "#define STORAGE %d\n#define JITTERS %d\n",
              CUPOLA_STORAGE_ATLAS, CUPOLA_STORAGE_TEXTURES, CUPOLA_STORAGE_LAYERS,
-             (int)gl->params.storage);
+             (int)gl->params.storage, gl->params.jitters);
 }
 
 static int warp_program_create(const cupola_gl *gl, int output, int kind, bool gained,
@@ -98,6 +99,7 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
         .program = program,
         .target_corner = glGetUniformLocation(program, "target_corner"),
         .encoded = glGetUniformLocation(program, "encoded"),
+        .ray_jitter = glGetUniformLocation(program, "ray_jitter"),
         .eye = glGetUniformLocation(program, "eye"),
         .bases = glGetUniformLocation(program, "view_base"),
         .tile_views = glGetUniformLocation(program, "tile_view"),
@@ -234,6 +236,9 @@ static void program_begin(const cupola_gl *gl, const struct warp_program *progra
     glUniform2f(program->target_corner, (GLfloat)place->x, (GLfloat)place->y);
     if (program->encoded >= 0)
         glUniform1i(program->encoded, !target_encodes(&gl->features));
+    if (program->ray_jitter >= 0)
+        glUniform2f(program->ray_jitter, (GLfloat)gl->jitter.pixels[0],
+                    (GLfloat)gl->jitter.pixels[1]);
 }
 
 static void draw_tiles(const cupola_gl *gl, const struct warp_pass *pass,

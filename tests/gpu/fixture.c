@@ -9,10 +9,9 @@
 #include "paint_shaders.h"
 
 static const char *const paint_sources[] = {
-    [PAINT_DIRECTIONS] = shader_directions_frag,
-    [PAINT_SCREEN] = shader_screen_frag,
-    [PAINT_NOISE] = shader_noise_frag,
-    [PAINT_ROOM] = shader_room_frag,
+    [PAINT_DIRECTIONS] = shader_directions_frag, [PAINT_SCREEN] = shader_screen_frag,
+    [PAINT_NOISE] = shader_noise_frag,           [PAINT_ROOM] = shader_room_frag,
+    [PAINT_CHECKER] = shader_checker_frag,
 };
 
 enum { PAINT_COUNT = sizeof paint_sources / sizeof paint_sources[0] };

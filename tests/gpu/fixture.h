@@ -21,6 +21,7 @@ enum paint {
     PAINT_SCREEN,     /* the point of the screen sphere, in radii, host's camera frame */
     PAINT_NOISE,      /* four random numbers per texel, 0 to 1 */
     PAINT_ROOM,       /* a room with marks on its six faces */
+    PAINT_CHECKER,    /* black and white cubes round the eye, without any filter */
 };
 
 /* params and gl_params may be NULL: all zero. */

@@ -117,7 +117,7 @@ static void every_pixel_is_in_one_tile_that_is_right_about_it(void **state)
         struct cupola_rig rig = rig_number(number);
         cupola_plan *plan = plan_of_rig(&rig);
         struct tiles tiles;
-        assert_int_equal(tiles_create(plan, 0, number % 5 ? 64 : 16, &tiles, NULL), CUPOLA_OK);
+        assert_int_equal(tiles_create(plan, 0, number % 5 ? 64 : 16, 0, &tiles, NULL), CUPOLA_OK);
         struct findings findings = look_at(plan, &tiles);
         check_findings(&findings);
         pure += findings.pixels[TILE_PURE];
@@ -144,7 +144,7 @@ static void tiles_refitted_to_another_eye_are_right_about_it(void **state)
         double radius = rig.screen.radius_m;
         cupola_plan *plan = plan_of_rig(&rig);
         struct tiles tiles;
-        assert_int_equal(tiles_create(plan, 0, 64, &tiles, NULL), CUPOLA_OK);
+        assert_int_equal(tiles_create(plan, 0, 64, 0, &tiles, NULL), CUPOLA_OK);
         struct tile *lists[TILE_KINDS];
         memcpy(lists, tiles.tiles, sizeof lists);
         plan->dome.rig.eye_m[0] += 0.03 * (radius > 0.0 ? radius : 1.0);
@@ -176,7 +176,7 @@ static double worst_moved(double head, double moved_m[3])
     struct tiles tiles;
     assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
     assert_int_equal(cupola_plan_create(dome, &params, &plan, NULL), CUPOLA_OK);
-    assert_int_equal(tiles_create(plan, 0, 128, &tiles, NULL), CUPOLA_OK);
+    assert_int_equal(tiles_create(plan, 0, 128, 0, &tiles, NULL), CUPOLA_OK);
     memcpy(plan->dome.rig.eye_m, moved_m, sizeof plan->dome.rig.eye_m);
     tiles_refit(plan, &tiles);
     double worst = look_at(plan, &tiles).worst_texels;
@@ -203,7 +203,7 @@ static void where_there_is_no_room_larger_tiles_choose(void **state)
     struct cupola_rig rig = rig_number(1);
     cupola_plan *plan = plan_of_rig(&rig);
     struct tiles tiles;
-    assert_int_equal(tiles_create(plan, 0, 64, &tiles, NULL), CUPOLA_OK);
+    assert_int_equal(tiles_create(plan, 0, 64, 0, &tiles, NULL), CUPOLA_OK);
     int before = tiles.count[TILE_CHOOSING];
     for (int kind = TILE_PURE; kind <= TILE_CHOOSING; kind++)
         tiles.most[kind] = tiles.piece_count;
@@ -223,7 +223,7 @@ static void a_wrong_term_view_or_tile_is_caught(void **state)
     struct cupola_rig rig = rig_number(0);
     cupola_plan *plan = plan_of_rig(&rig);
     struct tiles tiles;
-    assert_int_equal(tiles_create(plan, 0, 64, &tiles, NULL), CUPOLA_OK);
+    assert_int_equal(tiles_create(plan, 0, 64, 0, &tiles, NULL), CUPOLA_OK);
     struct tile *tile = &tiles.tiles[TILE_PURE][tiles.count[TILE_PURE] / 2], kept = *tile;
     for (int k = 0; k < TILE_TERMS; k++) {
         double farthest = k < 1 ? 1.0 : pow(0.5 * (double)tile->side_px, k < 3 ? 1 : k < 6 ? 2 : 3);
