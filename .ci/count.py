@@ -1,4 +1,4 @@
-"""Counts the test cases of a run of the suite: count.py BUILD_FOLDER EXIT_STATUS
+"""Counts the test cases of a run of the suite by script/test: count.py BUILD_FOLDER EXIT_STATUS
 
 Prints "PASSED FAILED". Every test program leaves an XML report in BUILD_FOLDER/results; one that
 crashed leaves none and counts as one failure, as does a run that failed without a failed case.
@@ -12,7 +12,7 @@ import xml.etree.ElementTree
 
 build, status = pathlib.Path(sys.argv[1]), int(sys.argv[2])
 passed = failed = 0
-log = build / "meson-logs" / "testlog.json"
+log = build / "meson-logs" / "testlog-full.json"
 lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
 for line in lines:
     test = json.loads(line)
