@@ -97,6 +97,10 @@ static void blend(unsigned char *pixel, const unsigned char color[3], float amou
 {
     if (amount <= 0) /* most pixels */
         return;
+    if (amount >= 1) { /* most others */
+        memcpy(pixel, color, 3);
+        return;
+    }
     for (int k = 0; k < 3; k++)
         pixel[k] =
             (unsigned char)lrintf((float)pixel[k] + amount * ((float)color[k] - (float)pixel[k]));

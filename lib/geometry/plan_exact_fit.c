@@ -11,6 +11,9 @@
 /* What a leaf's places may have over its corners. */
 static const double metric_margin = 1.0004;
 
+/* Images of a few pixels are not divided as finely as others. */
+static const double least_leaf_px = 1.0 / 64;
+
 /* Eyes between those looked at may ask for more, by this part of what other eyes add to the middle.
  */
 static const double beyond_eyes = 0.02;
@@ -31,7 +34,7 @@ static bool make_grid(struct fitting *fitting, int cells, struct image_grid *gri
     double width = part.sides[1] - part.sides[0], height = part.sides[3] - part.sides[2];
     grid->left = part.sides[0];
     grid->bottom = part.sides[2];
-    fitting->leaf_px = larger(width, height) / 512;
+    fitting->leaf_px = larger(larger(width, height) / 512, least_leaf_px);
     grid->size_px = fitting->leaf_px;
     while (grid->size_px * cells < larger(width, height))
         grid->size_px *= 2;
@@ -59,10 +62,22 @@ static struct plan_square square_of(const struct image_grid *grid, int column, i
                                 {lower, lower + 1, upper + 1, upper}};
 }
 
-static void visit_grid(struct fitting *fitting, const struct image_grid *grid)
+/* Whether a view is known to have rays that are too far off its axis. */
+static bool reaches_too_far(const struct fitting *fitting)
+{
+    for (int v = 0; v < fitting->exact->count; v++)
+        if (fitting->least_cosine[v] < least_cosine_allowed)
+            return true;
+    return false;
+}
+
+/* Ends early where the views are of no use and that is all that is asked. */
+static void visit_grid(struct fitting *fitting, const struct image_grid *grid, bool to_the_end)
 {
     for (int row = 0; row < grid->rows; row++)
         for (int column = 0; column < grid->columns; column++) {
+            if (!to_the_end && reaches_too_far(fitting))
+                return;
             struct plan_square cell = square_of(grid, column, row);
             plan_square_visit(fitting, &cell);
         }
@@ -232,11 +247,11 @@ static void release_grids(struct image_grid *grids)
         free(grids[i].corners);
 }
 
-static void visit_grids(struct fitting *fitting, const struct image_grid *grids)
+static void visit_grids(struct fitting *fitting, const struct image_grid *grids, bool to_the_end)
 {
     int outputs = fitting->dome->rig.output_count;
     for (fitting->output = 0; fitting->output < outputs; fitting->output++)
-        visit_grid(fitting, &grids[fitting->output]);
+        visit_grid(fitting, &grids[fitting->output], to_the_end);
 }
 
 /* Takes out a view; what fell to it falls to the others. */
@@ -258,7 +273,7 @@ static int fit_middle(struct fitting *fitting, const struct image_grid *grids,
             return v;
         begin_view(fitting, v, found);
     }
-    visit_grids(fitting, grids);
+    visit_grids(fitting, grids, false);
     return fitting->exact->count;
 }
 
@@ -281,11 +296,10 @@ static int begin_fit(struct fitting *fitting)
         drop_view(fitting->exact, empty);
         status = fitting->exact->count > 0 ? 1 : CUPOLA_ERROR_LAYOUT;
     }
+    if (status == CUPOLA_OK && reaches_too_far(fitting))
+        status = CUPOLA_ERROR_LAYOUT;
     if (status == CUPOLA_OK)
         add_areas(fitting, grids);
-    for (int v = 0; v < fitting->exact->count && status == CUPOLA_OK; v++)
-        if (fitting->least_cosine[v] < least_cosine_allowed)
-            status = CUPOLA_ERROR_LAYOUT;
     release_grids(grids);
     free(found.metrics);
     free(found.base);
@@ -304,7 +318,7 @@ static int fit_worst_eye(struct fitting *fitting, const double eye_m[3])
         memcpy(fitting->core[v], everywhere, sizeof everywhere);
     bool done = make_grids(fitting, CELLS, grids) > 0;
     if (done)
-        visit_grids(fitting, grids);
+        visit_grids(fitting, grids, true);
     release_grids(grids);
     return done ? CUPOLA_OK : CUPOLA_ERROR_MEMORY;
 }

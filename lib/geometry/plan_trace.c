@@ -12,11 +12,11 @@
 void plan_widen_collapsed(const struct projector *projector, const double place[2],
                           struct varying *ray)
 {
+    if (projector->lens.half_fov < 2.4)
+        return; /* sin(h) < h / 4 from 2.47 on */
     double r = hypot(place[0], place[1]);
     if (!(r > 0.5))
         return;
-    if (projector->lens.half_fov < 2.4)
-        return; /* sin(h) < h / 4 from 2.47 on */
     double sine = sin(lens_angle(&projector->lens, fmin(r, 1)));
     double missing = (0.25 * projector->lens.half_fov - sine / r) / projector->radius_px;
     if (!(missing > 0))

@@ -85,8 +85,8 @@ static unsigned char *covered(const struct mask *mask, int view)
         int top = (int)fmin(edge(v, 1, true) - texels->y, height - 1);
         for (int y = bottom; y <= top; y++)
             for (int x = left; x <= right; x++)
-                for (int k = 0; k < places; k++)
-                    found[y * width + x] |=
+                for (int k = 0; k < places && !found[y * width + x]; k++)
+                    found[y * width + x] =
                         in_triangle(v, texels->x + x + (k ? spread[(k - 1) % PLACES] : 0.5),
                                     texels->y + y + (k ? spread[(k - 1) / PLACES] : 0.5));
     }
