@@ -40,7 +40,8 @@ Varying lens_ray(vec3 place)
     float x = place.x, y = place.y, r = place.z;
     vec3 sines = lens_sines(r);
     float s = sines.x, slope = sines.z;
-    float bend = r > 1e-2 ? (sines.y * slope - s) / (r * r) : 0.0;
+    // What rounding makes of it is large for small r, but not times x or y, squared.
+    float bend = r > 1e-4 ? (sines.y * slope - s) / (r * r) : 0.0;
     vec3 dx = vec3(s + x * x * bend, x * y * bend, x * s * slope);
     vec3 dy = vec3(x * y * bend, s + y * y * bend, y * s * slope);
     vec2 per_pixel = circle_sign / circle_radius;

@@ -59,8 +59,9 @@ GLuint texture_create(GLenum internal_format, int width_px, int height_px, GLenu
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    GLenum format = internal_format == GL_R32F ? GL_RED : GL_RGBA;
     bool bytes = internal_format == GL_RGBA8 || internal_format == GL_SRGB8_ALPHA8;
-    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width_px, height_px, 0, GL_RGBA,
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width_px, height_px, 0, format,
                  bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, NULL);
     GLenum failure = glGetError();
     if (failure == GL_NO_ERROR)

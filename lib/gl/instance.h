@@ -51,6 +51,13 @@ struct table_pass {
     GLint eye, bases; /* locations of uniforms; -1: not there */
 };
 
+/* The density map of one output; nothing of it until it is asked for. */
+struct density_pass {
+    GLuint texture;
+    struct table_pass redraw; /* where the eye may move and the GL draws into floats */
+    unsigned int moves;       /* of the eye that are taken in; see cupola_gl */
+};
+
 /* What an output's programs are for: kinds of sources, then kinds of tiles of views. */
 enum { WARP_PROGRAMS = SOURCE_KINDS + TILE_KINDS };
 
@@ -66,7 +73,8 @@ struct warp_pass {
     struct overlay_program overlays[2];
     struct tile_pass tiles;
     struct table_pass redraw; /* of the table */
-    unsigned int moves;       /* of the eye that are taken in; see cupola_gl */
+    struct density_pass density;
+    unsigned int moves; /* of the eye that are taken in; see cupola_gl */
 };
 
 /* What no pixel samples of the views. */
@@ -310,6 +318,8 @@ void gain_bind(const cupola_gl *gl, int output);
 GLuint table_create(const cupola_gl *gl, int output, enum cupola_table stage,
                     struct table_pass *redraw, struct cupola_error *error);
 void table_pass_destroy(struct table_pass *redraw);
+
+void density_pass_destroy(struct density_pass *pass);
 
 /* The table of one output for the eye as it is now, if it depends on that. */
 void table_redraw(const cupola_gl *gl, int output);

@@ -197,6 +197,7 @@ void warp_pass_destroy(struct warp_pass *pass)
     }
     tile_pass_destroy(&pass->tiles);
     table_pass_destroy(&pass->redraw);
+    density_pass_destroy(&pass->density);
     glDeleteTextures(1, &pass->table);
     if (pass->points != pass->table)
         glDeleteTextures(1, &pass->points);

@@ -247,10 +247,12 @@ static void check_hosts(const struct cupola_gl_params *params, const float *expe
     struct cupola_error error = {CUPOLA_OK, ""};
     for (int which = -1; which <= HOSTILITIES; which++) {
         struct snapshot before, after;
+        unsigned int map = 0;
         be_hostile(which);
         snapshot_take(&before);
         check_ok(guest_move(&house, &error), "set_eye", &error);
         check_ok(guest_warp(&house, -1, &error), "warp", &error);
+        check_ok(cupola_gl_density(house.gl, 0, &map, &error), "density", &error);
         snapshot_take(&after);
         if (!params->leaves_state)
             assert_int_equal(snapshot_differences(&before, &after, true, "moved warp"), 0);

@@ -104,6 +104,14 @@ static int make_points(struct cupola_error *error)
     return status;
 }
 
+static int make_density(struct cupola_error *error)
+{
+    unsigned int density = 7;
+    int status = cupola_gl_density(house.gl, 0, &density, error);
+    assert_int_equal(density == 7, status != CUPOLA_OK);
+    return status;
+}
+
 static int make_gain(struct cupola_error *error)
 {
     return cupola_gl_set_gain(house.gl, 0, house.gain, error);
@@ -258,11 +266,13 @@ static void frames_that_make_something_survive(void **state)
 static void points_and_gain_survive(void **state)
 {
     const struct maker points = {"points", make_points, undo_nothing, 2};
+    const struct maker density = {"density", make_density, undo_nothing, 2};
     const struct maker gain = {"gain", make_gain, undo_nothing, 7};
     (void)state;
     params = (struct cupola_gl_params){.table = CUPOLA_TABLE_NONE};
     assert_int_equal(make_gl(NULL), CUPOLA_OK);
     try_each(&points, false);
+    try_each(&density, false);
     try_each(&gain, false);
     undo_gl();
 }

@@ -202,7 +202,7 @@ static struct results all_calls(struct host *host)
     cupola_plan *plan = two_outputs(&dome);
     cupola_gl *gl = NULL;
     cupola_theatre *theatre = NULL;
-    GLuint images[2] = {0, 0};
+    GLuint images[2] = {0, 0}, map = 0;
     const struct cupola_gl_params params = {.table = fixture_stage(CUPOLA_TABLE_SINES),
                                             .overlays = true};
     const struct cupola_plan_report *report = cupola_plan_report(plan);
@@ -236,6 +236,7 @@ static struct results all_calls(struct host *host)
     be_hostile(host);
     for (int i = 0; i < 2; i++)
         check_host(host, true, cupola_gl_points(gl, i, &images[i], NULL), "points");
+    check_host(host, true, cupola_gl_density(gl, 0, &map, NULL), "density");
     draw_targets(gl, theatre, dome, images, host);
     check_host(host, true,
                cupola_gl_capture(&target, WIDTH, HEIGHT, results.values + results.count, NULL),

@@ -72,11 +72,16 @@ static void views_come_after_frame_begin_and_one_at_a_time(void **state)
                   "open");
     check_refused(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error,
                   "open");
+    check_refused(cupola_gl_density(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error,
+                  "open");
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_ERROR_ORDER);
     check_refused(cupola_gl_warp(fixture.gl, 1, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
                   "output is 1");
     assert_int_equal(cupola_gl_points(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_int_equal(cupola_gl_density(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
+    check_refused(cupola_gl_density(fixture.gl, 1, &points, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                  "output is 1");
     release(&fixture);
 }
 

@@ -72,7 +72,7 @@ static void check_all_lost(bool also_theatre)
 {
     unsigned int points = 7;
     struct cupola_error error = {CUPOLA_OK, ""};
-    int called = interposed.called, expected = failures + 13;
+    int called = interposed.called, expected = failures + 14;
     struct cupola_view_image images[CUPOLA_VIEWS_MAX] = {{.texture = house.target_texture}};
     assert_int_equal(cupola_gl_frame_begin(house.gl, NULL, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_view_begin(house.gl, 0, NULL, NULL), CUPOLA_ERROR_LOST);
@@ -82,6 +82,7 @@ static void check_all_lost(bool also_theatre)
     assert_int_equal(guest_warp(&house, -1, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_warp(&house, 0, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_points(house.gl, 0, &points, &error), CUPOLA_ERROR_LOST);
+    assert_int_equal(cupola_gl_density(house.gl, 0, &points, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(cupola_gl_set_gain(house.gl, 0, 0, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_views(&house, &error), CUPOLA_ERROR_LOST);
     assert_int_equal(guest_overlays(&house, &error), CUPOLA_ERROR_LOST);
@@ -113,6 +114,8 @@ static int work(struct cupola_error *error)
     int status = guest_frame(&house, error);
     if (status >= 0)
         status = cupola_gl_points(house.gl, 0, &points, error);
+    if (status >= 0)
+        status = cupola_gl_density(house.gl, 0, &points, error);
     return status < 0 ? status : guest_theatre(&house, error);
 }
 

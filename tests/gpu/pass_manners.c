@@ -107,6 +107,7 @@ static void a_pass_has_its_time(void **state)
         refuses(cupola_gl_frame_begin(gl, NULL, &error), CUPOLA_ERROR_ORDER, &error, "a pass");
         refuses(cupola_gl_warp(gl, 0, NULL, NULL, &error), CUPOLA_ERROR_ORDER, &error, "a pass");
         refuses(cupola_gl_points(gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error, "a pass");
+        refuses(cupola_gl_density(gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error, "a pass");
         assert_int_equal(cupola_gl_pass_end(gl, NULL), CUPOLA_OK);
     }
     assert_int_equal(cupola_gl_pass_begin(gl, NULL, NULL, NULL), CUPOLA_OK);

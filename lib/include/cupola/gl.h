@@ -26,8 +26,8 @@
  * which calls do is said with each. Where the context has been lost (a robust one after a reset),
  * they answer CUPOLA_ERROR_LOST, now and ever after: destroy the cupola_gl and make another.
  *
- * GL errors that are pending when cupola_gl_create, cupola_gl_points (as it makes the table) or
- * cupola_gl_capture is called are dropped: those calls have to ask for errors of their own.
+ * GL errors that are pending when cupola_gl_create, cupola_gl_points or cupola_gl_density (as they
+ * make a texture) or cupola_gl_capture is called are dropped: those calls have to ask for errors of their own.
  */
 #ifndef CUPOLA_GL_H
 #define CUPOLA_GL_H
@@ -360,6 +360,23 @@ CUPOLA_API unsigned int cupola_gl_atlas(const cupola_gl *gl);
  */
 CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture,
                                 struct cupola_error *error);
+
+/*
+ * The density map of an output (resolution.h), made by the GPU: a GL_TEXTURE_2D of the output's
+ * size, R32F: the solid angle in sr that each pixel covers, seen by the eye as it is now; 0 where a
+ * pixel is not lit. Single precision gives it to some 1e-5, at the rim of steep lenses 1e-4.
+ * Made at the first call; after the eye has moved the next call makes it anew, in the same texture
+ * (on the CPU where the GL cannot draw into floats: not for every frame). Lives as long as gl.
+ *
+ * output   index, 0 to the number of the rig's outputs - 1
+ * texture  out; untouched on failure
+ * error    may be NULL
+ * returns  as cupola_gl_points
+ * thread   the context's
+ * since    0.1
+ */
+CUPOLA_API int cupola_gl_density(cupola_gl *gl, int output, unsigned int *texture,
+                                 struct cupola_error *error);
 
 /*
  * Reads a rectangle of a framebuffer: the capture of a target.
