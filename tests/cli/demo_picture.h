@@ -15,6 +15,8 @@ void demo_run(struct process *process, const char *command);
 
 /* Runs the demo with a float picture as its output. */
 struct picture demo_run_pfm(struct process *process, const char *command);
+/* The same, of a literal; the last picture is kept and not to be freed. */
+const struct picture *demo_picture_of(struct process *process, const char *command);
 
 const float *picture_pixel(const struct picture *picture, int x, int y);
 
