@@ -118,28 +118,55 @@ void filter_jacobian(const struct cupola_view *view, const struct varying *ray, 
     }
 }
 
-int filter_adaptive_count(const double jacobian[4], int samples)
-{
-    double covered = fabs(jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2]);
-    double count = ceil(covered - 1e-6);
-    return count < samples ? (count > 1 ? (int)count : 1) : samples;
-}
-
-int filter_footprint(const double jacobian[4], int samples, struct filter_place *places)
+double filter_long_axis(const double jacobian[4], double axis[2])
 {
     double xx = jacobian[0] * jacobian[0] + jacobian[2] * jacobian[2];
     double xy = jacobian[0] * jacobian[1] + jacobian[2] * jacobian[3];
     double yy = jacobian[1] * jacobian[1] + jacobian[3] * jacobian[3];
-    double middle = 0.5 * (xx + yy), half = 0.5 * (xx - yy);
-    double s = sqrt(middle + hypot(half, xy));
-    /* The direction of the larger eigenvalue of the transposed jacobian times itself. */
-    double angle_rad = 0.5 * atan2(xy, half);
-    double most = samples < FOOTPRINT_RAYS_MAX ? samples : FOOTPRINT_RAYS_MAX;
-    int count = (int)fmin(fmax(ceil(s - 0.25), 1), most);
+    double half = 0.5 * (xx - yy), q = hypot(half, xy);
+    axis[0] = half < 0 ? xy : half + q;
+    axis[1] = half < 0 ? q - half : xy;
+    double length = hypot(axis[0], axis[1]);
+    axis[0] = length > 0 ? axis[0] / length : 1;
+    axis[1] = length > 0 ? axis[1] / length : 0;
+    return sqrt(0.5 * (xx + yy) + q);
+}
+
+/* From a number of texels to one of rays. */
+static int count_for(double texels, int most)
+{
+    double count = ceil(texels);
+    return count < most ? (count > 1 ? (int)count : 1) : most;
+}
+
+int filter_adaptive_count(const double jacobian[4], int samples)
+{
+    double covered = fabs(jacobian[0] * jacobian[3] - jacobian[1] * jacobian[2]);
+    return count_for(covered - 1e-3, samples);
+}
+
+void filter_adaptive_places(const struct pattern *aligned, const double axis[2],
+                            const double turn[2], struct filter_place *places)
+{
+    double cosine = (turn[0] * axis[0] - turn[1] * axis[1]) / sqrt(pi);
+    double sine = (turn[1] * axis[0] + turn[0] * axis[1]) / sqrt(pi);
+    for (int k = 0; k < aligned->count; k++) {
+        const struct pattern_place *place = &aligned->places[k];
+        places[k] = (struct filter_place){cosine * place->x - sine * place->y,
+                                          sine * place->x + cosine * place->y, place->weight};
+    }
+}
+
+int filter_footprint(const double jacobian[4], int samples, struct filter_place *places)
+{
+    double axis[2], s = filter_long_axis(jacobian, axis), pitch = 0;
+    int most = samples < FOOTPRINT_RAYS_MAX ? samples : FOOTPRINT_RAYS_MAX;
+    int count = count_for(s, most);
+    if (count > 1)
+        pitch = sqrt((s * s - FOOTPRINT_BLUR) / (count * count - 1)) / s;
     for (int k = 0; k < count; k++) {
-        double part = (k + 0.5) / count - 0.5;
-        places[k] =
-            (struct filter_place){part * cos(angle_rad), part * sin(angle_rad), 1.0 / count};
+        double along = (k - 0.5 * (count - 1)) * pitch;
+        places[k] = (struct filter_place){along * axis[0], along * axis[1], 1.0 / count};
     }
     return count;
 }
@@ -203,25 +230,48 @@ int filter_pattern_count(const struct cupola_filter *complete, const struct filt
     return 0;
 }
 
+void filter_pattern(const struct cupola_filter *complete, int count, struct pattern *pattern)
+{
+    pattern_make(complete->pattern, count, pattern);
+    if (complete->method == CUPOLA_ANTIALIASING_ADAPTIVE)
+        pattern_align(pattern);
+}
+
+static void pixel_turn(const struct cupola_filter *complete, const struct filter_pixel *pixel,
+                       double turn[2])
+{
+    double turn_rad = 0;
+    if (complete->turned)
+        turn_rad = pattern_turn_rad((uint32_t)pixel->x, (uint32_t)pixel->y, complete->seed);
+    turn[0] = cos(turn_rad);
+    turn[1] = sin(turn_rad);
+}
+
 int filter_places(const struct cupola_filter *complete, const struct pattern *pattern,
                   const struct filter_pixel *pixel, struct filter_place *places)
 {
-    double cone[3], turn[2] = {1, 0};
-    int count = filter_pattern_count(complete, pixel);
+    double cone[3], axis[2], turn[2];
+    int count = 1;
     places[0] = (struct filter_place){0, 0, 1};
-    if (complete->method == CUPOLA_ANTIALIASING_FOOTPRINT) {
-        count = filter_footprint(pixel->jacobian, complete->samples, places);
-    } else if (count > 0) {
-        if (complete->turned) {
-            double turn_rad =
-                pattern_turn_rad((uint32_t)pixel->x, (uint32_t)pixel->y, complete->seed);
-            turn[0] = cos(turn_rad);
-            turn[1] = sin(turn_rad);
-        }
+    switch (complete->method) {
+    case CUPOLA_ANTIALIASING_TEXTURE:
+    case CUPOLA_ANTIALIASING_NONE:
+        return 1;
+    case CUPOLA_ANTIALIASING_CONE:
+        count = pattern->count;
+        pixel_turn(complete, pixel, turn);
         filter_cone(&pixel->ray, cone);
         filter_cone_places(pattern, cone, turn, places);
-    } else {
-        return 1;
+        break;
+    case CUPOLA_ANTIALIASING_ADAPTIVE:
+        count = pattern->count;
+        pixel_turn(complete, pixel, turn);
+        filter_long_axis(pixel->jacobian, axis);
+        filter_adaptive_places(pattern, axis, turn, places);
+        break;
+    case CUPOLA_ANTIALIASING_FOOTPRINT:
+        count = filter_footprint(pixel->jacobian, complete->samples, places);
+        break;
     }
     for (int k = 0; k < count; k++)
         filter_reflect(pixel, &places[k]);

@@ -35,20 +35,35 @@ void filter_cone(const struct varying *ray, double cone[3]);
 /* Texels per pixel where a ray meets a view: du/dx, du/dy, dv/dx, dv/dy. */
 void filter_jacobian(const struct cupola_view *view, const struct varying *ray, double jacobian[4]);
 
-/* Rays of the method adaptive: texels covered, |det|, rounded up; 1 to samples. */
+/*
+ * The larger singular value of the jacobian, texels per pixel, and its direction in the image, unit
+ * length: (half + q, xy), or (xy, q - half) where half < 0, with xx, xy and yy the products of
+ * the columns (du/dx, dv/dx) and (du/dy, dv/dy), half = (xx - yy) / 2 and q = hypot(half, xy);
+ * s = sqrt((xx + yy) / 2 + q).
+ */
+double filter_long_axis(const double jacobian[4], double axis[2]);
+
+/* Rays of the method adaptive: texels covered, |det|, less 1e-3, rounded up; 1 to samples. */
 int filter_adaptive_count(const double jacobian[4], int samples);
 
 /*
- * Places of the method footprint. With s the larger singular value of the jacobian, s > 0, and
- * (cx, cy) its direction in the image: N = ceil(s - 0.25), 1 to samples, at most
- * FOOTPRINT_RAYS_MAX; place k is (cx, cy) ((k + 1/2) / N - 1/2). Returns N.
+ * Places of the method adaptive: those of an aligned pattern in a disc of a pixel's area, with the
+ * pattern's x axis along the long axis: x = (axis[0] d.x - axis[1] d.y) / sqrt(pi),
+ * y = (axis[1] d.x + axis[0] d.y) / sqrt(pi).
  */
-int filter_footprint(const double jacobian[4], int samples, struct filter_place *places);
+void filter_adaptive_places(const struct pattern *aligned, const double axis[2],
+                            const double turn[2], struct filter_place *places);
 
 /*
- * The places of the rays of a pixel whose turn is (cosine, sine); `pattern` is that of cone or of
- * adaptive with the right number. `cone` as above.
+ * Places of the method footprint, of equal weight along the long axis. N = s rounded up, 1 to
+ * samples, at most FOOTPRINT_RAYS_MAX; their distance from each other, in texels, is
+ * sqrt((s^2 - FOOTPRINT_BLUR) / (N^2 - 1)), divided by s in pixels; place k is
+ * axis (k - (N - 1) / 2) times that. Returns N.
  */
+#define FOOTPRINT_BLUR 0.6
+int filter_footprint(const double jacobian[4], int samples, struct filter_place *places);
+
+/* Places of the method cone, turned by (cosine, sine) first. */
 void filter_cone_places(const struct pattern *pattern, const double cone[3], const double turn[2],
                         struct filter_place *places);
 
@@ -71,6 +86,9 @@ void filter_reflect(const struct filter_pixel *pixel, struct filter_place *place
 
 /* How many places the pattern has that a complete filter asks for; 0: it asks for none. */
 int filter_pattern_count(const struct cupola_filter *complete, const struct filter_pixel *pixel);
+
+/* Makes the pattern of such a number that a complete filter asks for: aligned for adaptive. */
+void filter_pattern(const struct cupola_filter *complete, int count, struct pattern *pattern);
 
 /* The places of the rays of a lit pixel, within the image circle. Returns how many. */
 int filter_places(const struct cupola_filter *complete, const struct pattern *pattern,

@@ -43,7 +43,7 @@ int cupola_filter_rays(const struct cupola_filter *filter, const cupola_plan *pl
         return 0;
     int places_needed = filter_pattern_count(&complete, &pixel);
     if (places_needed > 0)
-        pattern_make(complete.pattern, places_needed, &pattern);
+        filter_pattern(&complete, places_needed, &pattern);
     int count = filter_places(&complete, &pattern, &pixel, places);
     for (int k = 0; k < count; k++) {
         rays[k] = (struct cupola_pixel_ray){places[k].x_px, places[k].y_px, places[k].weight, {0}};

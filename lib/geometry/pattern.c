@@ -21,8 +21,6 @@ static void place_at(struct pattern_place *place, double radius, double angle_ra
 static void make_rings(int count, struct pattern *pattern)
 {
     int rings = (int)floor(sqrt(count / pi) + 0.5), first = 0;
-    if (count == 1)
-        place_at(&pattern->places[first++], 0, 0);
     for (int ring = 0; first < count; ring++) {
         int left = count - first, outwards = rings - ring;
         /* Of rings 1, 2, 3 ... wide of the middle, by their circumferences. */
@@ -161,27 +159,102 @@ static void make_blue_noise(int count, struct pattern *pattern)
     }
 }
 
-/* Weights by distance. */
-static double kernel(double square)
+/* 1 - d^2 of the places as they are for equal parts of the disc, but never next to nothing. */
+static void weigh(struct pattern *pattern)
 {
-    return 1 - 0.5 * square;
+    double sum = 0;
+    for (int i = 0; i < pattern->count; i++) {
+        struct pattern_place *place = &pattern->places[i];
+        place->weight = fmax(1 - (place->x * place->x + place->y * place->y), 0.04);
+        sum += place->weight;
+    }
+    for (int i = 0; i < pattern->count; i++)
+        pattern->places[i].weight /= sum;
+}
+
+/* The symmetric matrix {xx, xy, yy} that makes the second moment `wished` each way. */
+static void evening_matrix(const struct pattern *pattern, double wished, double matrix[3])
+{
+    double xx = 0, xy = 0, yy = 0;
+    for (int i = 0; i < pattern->count; i++) {
+        const struct pattern_place *place = &pattern->places[i];
+        xx += place->weight * place->x * place->x;
+        xy += place->weight * place->x * place->y;
+        yy += place->weight * place->y * place->y;
+    }
+    /* The root of a symmetric matrix M is (M + r) / t, r = sqrt(det M), t = sqrt(trace M + 2 r);
+     * its inverse is what is wanted. */
+    double r = sqrt(xx * yy - xy * xy), t = sqrt(xx + yy + 2 * r);
+    double scale = sqrt(wished) / (r * t);
+    matrix[0] = scale * (yy + r);
+    matrix[1] = -scale * xy;
+    matrix[2] = scale * (xx + r);
+}
+
+/*
+ * Moves places until their second moment is that of the whole disc, weighed so: a sixth each way,
+ * unless one would leave it.
+ */
+static void even_out(struct pattern *pattern)
+{
+    double matrix[3], farthest = 1;
+    evening_matrix(pattern, 1.0 / 6, matrix);
+    for (int i = 0; i < pattern->count; i++) {
+        struct pattern_place *place = &pattern->places[i];
+        double x = matrix[0] * place->x + matrix[1] * place->y;
+        place->y = matrix[1] * place->x + matrix[2] * place->y;
+        place->x = x;
+        farthest = fmax(farthest, hypot(x, place->y));
+    }
+    for (int i = 0; i < pattern->count; i++) {
+        pattern->places[i].x /= farthest;
+        pattern->places[i].y /= farthest;
+    }
+}
+
+/* The middle, a pair that has the second moment along itself, and a triangle: of every pattern,
+ * turned. */
+static void make_few(enum cupola_pattern kind, int count, struct pattern *pattern)
+{
+    static const double turns_deg[] = {
+        [CUPOLA_PATTERN_REGULAR] = 0,
+        [CUPOLA_PATTERN_ROTATED_GRID] = 15,
+        [CUPOLA_PATTERN_BLUE_NOISE] = 40,
+    };
+    double radius = count == 1 ? 0 : sqrt(count == 2 ? 1.0 / 6 : 1.0 / 3);
+    for (int i = 0; i < count; i++)
+        place_at(&pattern->places[i], radius, pi * (turns_deg[kind] / 180 + 2.0 * i / count));
+    weigh(pattern);
 }
 
 void pattern_make(enum cupola_pattern kind, int count, struct pattern *pattern)
 {
     *pattern = (struct pattern){.count = count};
+    if (count <= 3) {
+        make_few(kind, count, pattern);
+        return;
+    }
     if (kind == CUPOLA_PATTERN_ROTATED_GRID)
         make_rotated_grid(count, pattern);
     else if (kind == CUPOLA_PATTERN_BLUE_NOISE)
         make_blue_noise(count, pattern);
     else
         make_rings(count, pattern);
-    double sum = 0;
-    for (int i = 0; i < count; i++) {
+    weigh(pattern);
+    even_out(pattern);
+}
+
+void pattern_align(struct pattern *pattern)
+{
+    const struct pattern_place last = pattern->places[pattern->count - 1];
+    double length = hypot(last.x, last.y);
+    if (!(length > 0))
+        return;
+    double cosine = last.x / length, sine = last.y / length;
+    for (int i = 0; i < pattern->count; i++) {
         struct pattern_place *place = &pattern->places[i];
-        place->weight = kernel(place->x * place->x + place->y * place->y);
-        sum += place->weight;
+        double x = cosine * place->x + sine * place->y;
+        place->y = cosine * place->y - sine * place->x;
+        place->x = x;
     }
-    for (int i = 0; i < count; i++)
-        pattern->places[i].weight /= sum;
 }

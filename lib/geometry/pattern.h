@@ -25,6 +25,9 @@ struct pattern {
  */
 void pattern_make(enum cupola_pattern kind, int count, struct pattern *pattern);
 
+/* Turns a pattern until its last place is on the x axis, right of the middle. */
+void pattern_align(struct pattern *pattern);
+
 /*
  * By what angle a pixel's pattern is turned, counter-clockwise: the upper 24 bits of a hash, as a
  * part of a whole turn, so that floats have it exactly.

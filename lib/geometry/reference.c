@@ -115,7 +115,7 @@ static void prepare_patterns(struct filter_patterns *patterns)
     bool adaptive = filter->method == CUPOLA_ANTIALIASING_ADAPTIVE;
     if (adaptive || filter->method == CUPOLA_ANTIALIASING_CONE)
         for (int count = adaptive ? 1 : filter->samples; count <= filter->samples; count++)
-            pattern_make(filter->pattern, count, &patterns->of[count]);
+            filter_pattern(filter, count, &patterns->of[count]);
 }
 
 int cupola_reference_filter(const cupola_plan *plan, int output, const struct cupola_filter *filter,

@@ -28,14 +28,16 @@ enum cupola_antialiasing {
      * either direction where the hit is a texel's middle. */
     CUPOLA_ANTIALIASING_TEXTURE = 0,
     CUPOLA_ANTIALIASING_NONE, /* the nearest texel */
-    /* Rays in a cone round the centre's that has the pixel's solid angle, weighed by their distance
-     * from its middle. */
+    /* Rays in a round cone about the centre's that has the pixel's solid angle, weighed by their
+     * distance from its middle: about 1 - d^2, d 1 at its edge. */
     CUPOLA_ANTIALIASING_CONE,
     /* The same, but each pixel has as many rays as it covers texels, from the density map: at least
-     * one. */
+     * one. Where they are so few the cone is as long and as wide as the pixel, not round, and the
+     * pattern lies along the long axis of the texels that it covers. */
     CUPOLA_ANTIALIASING_ADAPTIVE,
-    /* Rays along the long axis of the ellipse of texels that a pixel covers, as many as it is long
-     * in texels. */
+    /* Rays of equal weight along the long axis of the ellipse of texels that a pixel covers, as
+     * many as it is long in texels, at most 8; so far apart that together with the blur of the
+     * bilinear taps they are as wide as the pixel. */
     CUPOLA_ANTIALIASING_FOOTPRINT,
 };
 
