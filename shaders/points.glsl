@@ -28,13 +28,6 @@ vec3 circle_place(vec2 pixel)
     return r > 1.0 ? vec3(place / r, 1.0) : vec3(place, r);
 }
 
-// A vector that depends on a place in the image, and its derivatives per pixel.
-struct Varying {
-    vec3 at;
-    vec3 dx;
-    vec3 dy;
-};
-
 Varying lens_ray(vec3 place)
 {
     float x = place.x, y = place.y, r = place.z;

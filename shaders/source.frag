@@ -12,6 +12,102 @@ uniform sampler2D picture;
 
 out vec4 color;
 
+#if SOURCE == SOURCE_CUBE
+// The direction's coordinates along the face that it meets, and towards it.
+vec3 face_turn(vec3 along, vec3 direction)
+{
+    vec3 reach = abs(along);
+    return reach.x >= max(reach.y, reach.z)   ? direction.yzx
+           : reach.y >= max(reach.x, reach.z) ? direction.xzy
+                                              : direction.xyz;
+}
+
+mat2 picture_jacobian(Varying direction)
+{
+    vec3 at = direction.at;
+    return hit_jacobian(
+        Varying(face_turn(at, at), face_turn(at, direction.dx), face_turn(at, direction.dy)),
+        0.5 * vec2(textureSize(picture, 0)));
+}
+
+vec4 direction_light(Varying direction)
+{
+#if TEXELS == 9
+    vec3 reach = abs(direction.at);
+    float across = max(max(reach.x, reach.y), reach.z) / float(textureSize(picture, 0).x);
+    vec3 ahead = step(vec3(max(max(reach.x, reach.y), reach.z)), reach);
+    vec3 right = ahead.x > 0.0 ? vec3(0.0, across, 0.0) : vec3(across, 0.0, 0.0);
+    vec3 up = ahead.z > 0.0 && ahead.x == 0.0 && ahead.y == 0.0 ? vec3(0.0, across, 0.0)
+                                                                : vec3(0.0, 0.0, across);
+    vec4 light = vec4(0.0);
+    for (int i = 0; i < 4; i++) {
+        vec2 apart = 2.0 * vec2(i & 1, i >> 1) - 1.0;
+        light += 0.25 * textureGrad(picture, direction.at + apart.x * right + apart.y * up,
+                                    direction.dx, direction.dy);
+    }
+    return light;
+#else
+    return textureGrad(picture, direction.at, direction.dx, direction.dy);
+#endif
+}
+#else
+// Its coverage is the part of the pixel inside of the picture's rim.
+float picture_place(Varying direction, out Place place)
+{
+#if SOURCE == SOURCE_DOMEMASTER
+    return domemaster_place(direction, vec2(textureSize(picture, 0)), place);
+#else
+    place = equirectangular_place(direction);
+    return 1.0;
+#endif
+}
+
+mat2 picture_jacobian(Varying direction)
+{
+    Place place;
+    picture_place(direction, place);
+    vec2 size = vec2(textureSize(picture, 0));
+    return mat2(size * place.dx, size * place.dy);
+}
+
+vec4 direction_light(Varying direction)
+{
+    Place place;
+    picture_place(direction, place);
+#if TEXELS == 9
+    vec2 half_texel = 0.5 / vec2(textureSize(picture, 0));
+    vec4 light = vec4(0.0);
+    for (int i = 0; i < 4; i++) {
+        vec2 apart = half_texel * (2.0 * vec2(i & 1, i >> 1) - 1.0);
+        light += 0.25 * textureGrad(picture, place.at + apart, place.dx, place.dy);
+    }
+    return light;
+#else
+    return textureGrad(picture, place.at, place.dx, place.dy);
+#endif
+}
+#endif
+
+#if RAYS
+vec3 part_dx, part_dy; // changes of the direction over what a ray stands for
+
+// Of a ray of the viewer's, dome frame.
+vec4 ray_light(vec3 ray)
+{
+    return direction_light(
+        Varying(source_rotation * (ray + eye - source_center), part_dx, part_dy));
+}
+
+vec4 pixel_light(vec2 pixel, Varying point, Varying direction)
+{
+    mat2 jacobian = picture_jacobian(direction), part = ray_part(jacobian);
+    Varying ray = Varying(point.at - eye, point.dx, point.dy);
+    part_dx = part[0].x * direction.dx + part[0].y * direction.dy;
+    part_dy = part[1].x * direction.dx + part[1].y * direction.dy;
+    return rays_light(ray, ray, jacobian, pixel, circle_place(pixel).xy);
+}
+#endif
+
 void main()
 {
     vec2 pixel = gl_FragCoord.xy - target_corner;
@@ -21,17 +117,16 @@ void main()
 #if JITTERS
     point = screen_point(lens_ray(circle_place(jittered_place(pixel, point))));
 #endif
-    Varying direction = source_direction(Varying(point.at, inside.dx, inside.dy));
-#if SOURCE == SOURCE_CUBE
-    vec4 light = textureGrad(picture, direction.at, direction.dx, direction.dy);
-#else
-    Place place;
+    point = Varying(point.at, inside.dx, inside.dy);
+    Varying direction = source_direction(point);
 #if SOURCE == SOURCE_DOMEMASTER
-    coverage = min(coverage, domemaster_place(direction, vec2(textureSize(picture, 0)), place));
-#else
-    place = equirectangular_place(direction);
+    Place place;
+    coverage = min(coverage, picture_place(direction, place));
 #endif
-    vec4 light = textureGrad(picture, place.at, place.dx, place.dy);
+#if RAYS
+    vec4 light = pixel_light(pixel, point, direction);
+#else
+    vec4 light = direction_light(direction);
 #endif
     if (coverage > 0.0)
         light = mix(border, light, coverage);

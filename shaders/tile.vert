@@ -10,7 +10,7 @@ uniform vec2 target_corner; // of the output's image in the target, px
 uniform vec2 ray_jitter; // px
 #endif
 
-#if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (GAIN && TILE_KIND != TILE_PAIR)
+#if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (CORNER && TILE_KIND != TILE_PAIR)
 flat out vec2 corner;
 #endif
 #if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
@@ -46,7 +46,16 @@ flat out mat3x4 across;
 flat out vec3 lead;
 #endif
 
-flat out vec3 terms[10];
+#if METRIC && (TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR)
+#define TERM vec4
+#define TERM_OF(term, other) vec4(term, other)
+#else
+#define TERM vec3
+#define TERM_OF(term, other) term
+#endif
+// With a filter that needs it the fourth row of the first six terms is what makes products of
+// places in a view those of directions: xx, xy, xz, yy, yz, zz.
+flat out TERM terms[10];
 flat out vec4 middle; // in the target, px; its views
 #endif
 
@@ -54,7 +63,7 @@ void main()
 {
     gl_Position = vec4(2.0 * (tile.xy + 0.5 * tile.z) / viewport_size - 1.0, 0.0, 1.0);
     gl_PointSize = tile.z;
-#if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (GAIN && TILE_KIND != TILE_PAIR)
+#if TILE_KIND == TILE_DARK || TILE_KIND == TILE_EXACT || (CORNER && TILE_KIND != TILE_PAIR)
     corner = target_corner;
 #endif
 #if TILE_KIND == TILE_PURE || TILE_KIND == TILE_PAIR || TILE_KIND == TILE_CHOOSING
@@ -73,15 +82,19 @@ void main()
     lead = other.xyz;
     middle.w = other.w;
 #endif
-    terms[0] = turn * (term_1 - eye);
-    terms[1] = turn * term_x;
-    terms[2] = turn * term_y;
-    terms[3] = turn * term_xx;
-    terms[4] = turn * term_xy;
-    terms[5] = turn * term_yy;
-    terms[6] = turn * term_xxx;
-    terms[7] = turn * term_xxy;
-    terms[8] = turn * term_xyy;
-    terms[9] = turn * term_yyy;
+#if METRIC && TILE_KIND != TILE_CHOOSING
+    mat3 back = inverse(turn);
+    mat3 same = transpose(back) * back;
+#endif
+    terms[0] = TERM_OF(turn * (term_1 - eye), same[0].x);
+    terms[1] = TERM_OF(turn * term_x, same[0].y);
+    terms[2] = TERM_OF(turn * term_y, same[0].z);
+    terms[3] = TERM_OF(turn * term_xx, same[1].y);
+    terms[4] = TERM_OF(turn * term_xy, same[1].z);
+    terms[5] = TERM_OF(turn * term_yy, same[2].z);
+    terms[6] = TERM_OF(turn * term_xxx, 0.0);
+    terms[7] = TERM_OF(turn * term_xxy, 0.0);
+    terms[8] = TERM_OF(turn * term_xyy, 0.0);
+    terms[9] = TERM_OF(turn * term_yyy, 0.0);
 #endif
 }

@@ -5,6 +5,7 @@
 uniform vec3 view_selector[VIEW_COUNT];
 uniform mat3 view_rotation[VIEW_COUNT]; // host's camera frame to view frame
 uniform vec4 view_rect[VIEW_COUNT];     // place in the atlas: left, bottom, width, height, 0 to 1
+uniform vec2 atlas_size;                // texels
 #endif
 #ifndef EYE_BAKED                   // then so are these, and view_fit:
 uniform vec4 view_base[VIEW_COUNT]; // left, bottom, width, height of the base rectangle
@@ -66,3 +67,14 @@ vec2 atlas_place(vec3 ray)
     return view_texel(view, view_hit(view, ray));
 }
 #endif
+
+// Texels per pixel where a ray meets its view: filter_jacobian in lib/geometry/filter.c.
+mat2 view_jacobian(Varying ray)
+{
+    int view = view_select(ray.at);
+    mat3 turn = view_rotation[view];
+    vec2 texels = view_rect[view].zw * atlas_size / view_base[view].zw;
+    const vec3 ahead = vec3(1.0, 1.0, -1.0);
+    return hit_jacobian(
+        Varying(ahead * (turn * ray.at), ahead * (turn * ray.dx), ahead * (turn * ray.dy)), texels);
+}

@@ -2,18 +2,36 @@
 // it meets. STAGE says how much of that stands in a table.
 
 flat in vec2 corner; // of the output's image in the target, px
-#if STORAGE == STORAGE_ATLAS
-uniform sampler2D atlas;
-#endif
 #if STAGE != STAGE_NONE
 uniform sampler2D table;
 #endif
 
 out vec4 color;
 
+vec4 ray_light(vec3 ray)
+{
+#if STORAGE == STORAGE_ATLAS
+    return texture_light(atlas, atlas_place(ray));
+#else
+    int view = view_select(ray);
+    return image_light(view, view_place(view, view_hit(view, ray)));
+#endif
+}
+
+#if RAYS
+// Several rays, by a stage that has no table.
+vec4 pixel_light(vec2 pixel, Varying point)
+{
+    Varying inside = point_inside_rim(pixel, point);
+    Varying ray = Varying(eye_ray(point.at), tilt * inside.dx, tilt * inside.dy);
+    return rays_light(ray, ray, view_jacobian(ray), pixel, circle_place(pixel).xy);
+}
+#endif
+
 void main()
 {
     vec2 pixel = gl_FragCoord.xy - corner;
+    vec4 light = border;
 #if STAGE == STAGE_NONE
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
@@ -38,20 +56,13 @@ void main()
 #endif
 #endif
 
-    vec4 light = border;
-#if STORAGE == STORAGE_ATLAS
-#if STAGE == STAGE_COORDINATES
-    vec2 place = entry.xy;
-#else
-    vec2 place = atlas_place(ray);
-#endif
     if (coverage > 0.0)
-        light = mix(border, textureLod(atlas, place, 0.0), coverage);
+#if RAYS
+        light = mix(border, pixel_light(pixel, point), coverage);
+#elif STAGE == STAGE_COORDINATES
+        light = mix(border, texture_light(atlas, entry.xy), coverage);
 #else
-    int view = view_select(ray);
-    vec2 place = view_place(view, view_hit(view, ray));
-    if (coverage > 0.0)
-        light = mix(border, image_light(view, place), coverage);
+        light = mix(border, ray_light(ray), coverage);
 #endif
     color = pixel_color(light, pixel);
 }

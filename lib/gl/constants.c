@@ -94,6 +94,7 @@ static void add_projector(struct text *text, const cupola_dome *dome, int output
 static void add_views(struct text *text, const cupola_plan *plan, bool resting)
 {
     double selectors[3 * CUPOLA_VIEWS_MAX], rotations[9 * CUPOLA_VIEWS_MAX];
+    const double size[2] = {plan->report.atlas_width_px, plan->report.atlas_height_px};
     double bases[4 * CUPOLA_VIEWS_MAX], rects[4 * CUPOLA_VIEWS_MAX], fits[4 * CUPOLA_VIEWS_MAX];
     for (int v = 0; v < plan->view_count; v++) {
         const struct cupola_view *view = &plan->views[v];
@@ -110,6 +111,7 @@ static void add_views(struct text *text, const cupola_plan *plan, bool resting)
     add_array(text, "vec3", "view_selector", selectors, 3, plan->view_count);
     add_array(text, "mat3", "view_rotation", rotations, 9, plan->view_count);
     add_array(text, "vec4", "view_rect", rects, 4, plan->view_count);
+    add_constant(text, "vec2", "atlas_size", size, 2);
     if (!resting)
         return;
     add_array(text, "vec4", "view_base", bases, 4, plan->view_count);

@@ -11,13 +11,14 @@
 static GLuint program_make(const cupola_gl *gl, int output, struct cupola_error *error)
 {
     static const struct shader_file files[] = {
+        {"varying.glsl", shader_varying_glsl},
         {"lens.glsl", shader_lens_glsl},
         {"points.glsl", shader_points_glsl},
         {"density.frag", shader_density_frag},
     };
     char defines[PROGRAM_DEFINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, CUPOLA_TABLE_NONE, defines);
-    GLuint program = program_create(defines, files, 3, error);
+    GLuint program = program_create(defines, files, 4, error);
     if (!program)
         return 0;
     glUseProgram(program);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "error.h"
+#include "filter_gl.h"
 #include "gl_objects.h"
 #include "log.h"
 #include "names.h"
@@ -156,6 +157,14 @@ static int make_objects(cupola_gl *gl, struct cupola_error *error)
     return guest_reason(&gl->guest, status, error);
 }
 
+static void release(cupola_gl *gl)
+{
+    plan_release(&gl->plan);
+    mask_pass_forget(&gl->mask);
+    free(gl->filter_places);
+    free(gl);
+}
+
 static int create(const cupola_plan *plan, const struct cupola_gl_params *params, cupola_gl **gl,
                   struct cupola_error *error)
 {
@@ -168,23 +177,27 @@ static int create(const cupola_plan *plan, const struct cupola_gl_params *params
     if (!made)
         return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a cupola_gl (%zu bytes)",
                          sizeof *made);
-    status = plan_copy(plan, &made->plan, error);
+    made->params = *params;
+    status = filter_params_complete(&made->params, error);
+    if (status == CUPOLA_OK)
+        status = plan_copy(plan, &made->plan, error);
     if (status != CUPOLA_OK) {
         free(made);
         return status;
     }
-    made->params = *params;
     if (!made->params.sources)
         made->params.sources = 1u << CUPOLA_SOURCE_VIEWS;
     host_features_find(&made->features);
     made->features.texture_units = gain_unit(made);
     made->features.texture_arrays = made->params.storage == CUPOLA_STORAGE_LAYERS;
     made->guest = (struct guest){&made->features, params->log, params->leaves_state, false};
-    status = make_objects(made, error);
+    made->filter_places = filter_places_text(&made->params.filter);
+    status = made->filter_places
+                 ? make_objects(made, error)
+                 : error_set(error, CUPOLA_ERROR_MEMORY, "no memory for the places of %d rays",
+                             made->params.filter.samples);
     if (status != CUPOLA_OK) {
-        plan_release(&made->plan);
-        mask_pass_forget(&made->mask);
-        free(made);
+        release(made);
         return status;
     }
     instance_tell_created(made);
@@ -224,8 +237,6 @@ void cupola_gl_destroy(cupola_gl **gl)
                gone->guest.lost ? "; its GL objects went with the lost context" : "");
     for (int i = 0; i < gone->plan.dome.rig.output_count; i++)
         tile_pass_forget(&gone->passes[i].tiles);
-    plan_release(&gone->plan);
-    mask_pass_forget(&gone->mask);
-    free(gone);
+    release(gone);
     *gl = NULL;
 }

@@ -107,6 +107,7 @@ struct cupola_gl {
     struct cupola_gl_params params;
     struct host_features features;
     struct guest guest;  /* of the context with these features */
+    char *filter_places; /* of rays, in the words of shaders/filter.glsl */
     GLuint vertex_array; /* without any attribute: the full-screen triangle needs none */
     GLuint atlas, depth; /* 0 without views; a depth only where one is wished */
     GLuint framebuffer;  /* what the host draws the views into */
@@ -236,7 +237,7 @@ void tile_pass_forget(struct tile_pass *pass);
 void tile_pass_refit(cupola_gl *gl, int output);
 
 /* The program of a kind of tiles, with `lines` of warp_lines. 0 on failure. */
-enum { TILE_LINES_MAX = 192 };
+enum { TILE_LINES_MAX = 256 };
 GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
                            struct cupola_error *error);
 
@@ -249,16 +250,13 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
     return gl->params.sources >> (unsigned int)kind & 1u;
 }
 
-/*
- * Lines that images.glsl and light.glsl rely on. `asked`: whether encoding is done is a uniform in
- * any case.
- */
-enum { WARP_LINES_MAX = 340 };
-void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX]);
+/* Lines that images.glsl, light.glsl and filter.glsl rely on, but for RIM. */
+enum { WARP_LINES_MAX = 768 };
+void warp_lines(const cupola_gl *gl, bool gained, char lines[WARP_LINES_MAX]);
 
 /* What shows the views pixel by pixel, with any vertex shader. 0 on failure. */
-GLuint warp_program_compile(const char *vertex_name, const char *vertex_text, const char *defines,
-                            struct cupola_error *error);
+GLuint warp_program_compile(const cupola_gl *gl, const char *vertex_name, const char *vertex_text,
+                            const char *defines, struct cupola_error *error);
 
 /* Which units the program in use finds views and table on. */
 void warp_set_units(const cupola_gl *gl, GLuint program);
@@ -269,10 +267,10 @@ int overlay_program_create(const cupola_gl *gl, int output, bool gained,
 void overlay_program_destroy(struct overlay_program *program);
 
 /*
- * Those of light.glsl. Asked: whether to encode is left to a uniform, for contexts where the GL may
- * do it by itself.
+ * Those of light.glsl. Asked: whether to encode is left to a uniform, for contexts
+ * where the GL may do it by itself.
  */
-void light_lines(enum cupola_encoding encoding, bool asked, bool gained,
+void light_lines(enum cupola_encoding encoding, bool asked, bool gained, bool dithered,
                  char lines[WARP_LINES_MAX]);
 
 /*
@@ -286,8 +284,11 @@ GLuint source_program_create(const cupola_gl *gl, int output, int kind, const ch
 void source_bind(const cupola_gl *gl, const struct warp_program *program,
                  const struct cupola_source *source);
 
-/* Sets the sampler of pictures and overlays; round about: the left edge meets the right one. */
-void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about);
+/*
+ * Sets the sampler of pictures and overlays. Round about: the left edge meets the right one; nearest:
+ * one texel, no mean.
+ */
+void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about, bool nearest);
 
 /* Also whether its kind was asked for and its texture is one. */
 int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,

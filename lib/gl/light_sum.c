@@ -13,7 +13,7 @@ int light_sum_create(const struct guest *guest, struct light_sum *sum, struct cu
     static const struct shader_file files[] = {{"light.glsl", shader_light_glsl},
                                                {"encode.frag", shader_encode_frag}};
     char lines[WARP_LINES_MAX];
-    light_lines(CUPOLA_ENCODING_SRGB, false, false, lines);
+    light_lines(CUPOLA_ENCODING_SRGB, false, false, false, lines);
     sum->program = program_create(lines, files, 2, error);
     if (!sum->program)
         return error->status;

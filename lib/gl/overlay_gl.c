@@ -33,20 +33,20 @@ int overlay_program_create(const cupola_gl *gl, int output, bool gained,
                            struct overlay_program *made, struct cupola_error *error)
 {
     static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},       {"points.glsl", shader_points_glsl},
-        {"overlay.glsl", shader_overlay_glsl}, {"light.glsl", shader_light_glsl},
-        {"overlay.frag", shader_overlay_frag},
+        {"varying.glsl", shader_varying_glsl}, {"lens.glsl", shader_lens_glsl},
+        {"points.glsl", shader_points_glsl},   {"overlay.glsl", shader_overlay_glsl},
+        {"light.glsl", shader_light_glsl},     {"overlay.frag", shader_overlay_frag},
     };
     char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + OVERLAY_LINES_MAX];
     if (!gl->params.overlays)
         return CUPOLA_OK;
     program_defines(&gl->plan.dome, output, gl->plan.view_count, CUPOLA_TABLE_NONE, defines);
-    warp_lines(gl, gained, gl->params.encoding == CUPOLA_ENCODING_SRGB, defines + strlen(defines));
+    light_lines(gl->params.encoding, true, gained, false, defines + strlen(defines));
     snprintf(defines + strlen(defines), OVERLAY_LINES_MAX,
              "#define KIND_PICTURE %d\n#define KIND_CURSOR %d\n#define KIND_DISC %d\n"
              "#define PARTS %d\n",
              CUPOLA_OVERLAY_PICTURE, CUPOLA_OVERLAY_CURSOR, CUPOLA_OVERLAY_DISC, OVERLAY_PARTS);
-    GLuint program = program_create(defines, files, 5, error);
+    GLuint program = program_create(defines, files, 6, error);
     if (!program)
         return error->status;
     guest_name(&gl->guest, GL_PROGRAM, program, "overlays of output %d%s", output,
@@ -185,7 +185,7 @@ static double bind_picture(const cupola_gl *gl, const struct cupola_overlay *ove
     GLint size[3];
     glActiveTexture(GL_TEXTURE0 + UNIT_IMAGE);
     glBindTexture(GL_TEXTURE_2D, overlay->texture);
-    picture_sampler_bind(gl, overlay->mipmaps, false);
+    picture_sampler_bind(gl, overlay->mipmaps, false, false);
     if (gl->guest.leaves_state)
         return 0; /* the shader can tell */
     return texture_size(&gl->features, GL_TEXTURE_2D, size) ? (double)size[0] / size[1] : 0;

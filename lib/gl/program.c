@@ -12,7 +12,7 @@
 #include "guest.h"
 #include "shaders.h"
 
-enum { FILES_MAX = 8, LINES_PER_FILE = 1000 };
+enum { FILES_MAX = 10, LINES_PER_FILE = 1000 };
 
 /*
  * Compilers say where an error is as "0:17(3)", "0(17)" or "0:17:", the line last, and not all keep
@@ -267,5 +267,7 @@ void program_set_views(GLuint program, const cupola_plan *plan)
         snprintf(name, sizeof name, "view_rect[%d]", v);
         program_set_vector(program, name, rect, 4);
     }
+    const double size[2] = {plan->report.atlas_width_px, plan->report.atlas_height_px};
+    program_set_vector(program, "atlas_size", size, 2);
     program_place_bases(glGetUniformLocation(program, "view_base"), plan);
 }

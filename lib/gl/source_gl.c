@@ -14,10 +14,12 @@ enum { SOURCE_LINES_MAX = 160 };
 GLuint source_program_create(const cupola_gl *gl, int output, int kind, const char *lines,
                              struct cupola_error *error)
 {
-    static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},     {"points.glsl", shader_points_glsl},
-        {"source.glsl", shader_source_glsl}, {"light.glsl", shader_light_glsl},
-        {"jitter.glsl", shader_jitter_glsl}, {"source.frag", shader_source_frag},
+    const struct shader_file files[] = {
+        {"varying.glsl", shader_varying_glsl}, {"lens.glsl", shader_lens_glsl},
+        {"points.glsl", shader_points_glsl},   {"source.glsl", shader_source_glsl},
+        {"light.glsl", shader_light_glsl},     {"jitter.glsl", shader_jitter_glsl},
+        {"places", gl->filter_places},         {"filter.glsl", shader_filter_glsl},
+        {"source.frag", shader_source_frag},
     };
     char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + SOURCE_LINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, CUPOLA_TABLE_NONE, defines);
@@ -25,9 +27,9 @@ GLuint source_program_create(const cupola_gl *gl, int output, int kind, const ch
     size_t length = strlen(defines);
     snprintf(defines + length, sizeof defines - length,
              "#define SOURCE_DOMEMASTER %d\n#define SOURCE_EQUIRECTANGULAR %d\n"
-             "#define SOURCE_CUBE %d\n#define SOURCE %d\n",
+             "#define SOURCE_CUBE %d\n#define SOURCE %d\n#define RIM 1\n",
              CUPOLA_SOURCE_DOMEMASTER, CUPOLA_SOURCE_EQUIRECTANGULAR, CUPOLA_SOURCE_CUBE, kind);
-    GLuint program = program_create(defines, files, 6, error);
+    GLuint program = program_create(defines, files, 9, error);
     if (!program)
         return 0;
     glUseProgram(program);
@@ -74,10 +76,12 @@ int source_check_gl(const cupola_gl *gl, const struct cupola_source *source,
  * rim; there it was seen to fetch places half a picture away. docs/geometry.md says what is lost.
  * What never differs stands since sampler_create.
  */
-void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about)
+void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about, bool nearest)
 {
-    glSamplerParameteri(gl->sampler, GL_TEXTURE_MIN_FILTER,
-                        mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    GLint one = nearest ? GL_NEAREST : GL_LINEAR;
+    GLint levels = nearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR;
+    glSamplerParameteri(gl->sampler, GL_TEXTURE_MIN_FILTER, mipmaps ? levels : one);
+    glSamplerParameteri(gl->sampler, GL_TEXTURE_MAG_FILTER, one);
     glSamplerParameteri(gl->sampler, GL_TEXTURE_WRAP_S, round_about ? GL_REPEAT : GL_CLAMP_TO_EDGE);
     glBindSampler(UNIT_IMAGE, gl->sampler);
 }
@@ -101,7 +105,8 @@ void source_bind(const cupola_gl *gl, const struct warp_program *program,
     source_frame_prepare(&gl->plan.dome, source, &frame);
     glBindTexture(source->kind == CUPOLA_SOURCE_CUBE ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
                   source->texture);
-    picture_sampler_bind(gl, source->mipmaps, source->kind == CUPOLA_SOURCE_EQUIRECTANGULAR);
+    picture_sampler_bind(gl, source->mipmaps, source->kind == CUPOLA_SOURCE_EQUIRECTANGULAR,
+                         gl->params.filter.method == CUPOLA_ANTIALIASING_NONE);
     glUniform1i(program->mipmaps, source->mipmaps);
     set_frame(program, &frame);
 }

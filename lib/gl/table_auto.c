@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "clock.h"
+#include "filter_gl.h"
 #include "gl_objects.h"
 #include "instance.h"
 
@@ -24,13 +25,14 @@ enum { STAGES = sizeof stages / sizeof stages[0] };
 
 /*
  * Tables by the CPU take seconds, those that depend on the eye are drawn anew whenever it moves,
- * and none has rays beside the middles of pixels.
+ * and all have one ray for each pixel, of its middle.
  */
 static bool is_candidate(const cupola_gl *gl, enum cupola_table stage)
 {
     if (stage == CUPOLA_TABLE_NONE || stage == CUPOLA_TABLE_TILES)
         return true;
     if (gl->params.jitters || !gl->features.float_targets ||
+        filter_sends_rays(&gl->params.filter) ||
         (stage == CUPOLA_TABLE_COORDINATES && gl->params.storage != CUPOLA_STORAGE_ATLAS))
         return false;
     return stage == CUPOLA_TABLE_POINTS || !(gl->plan.head_radius_m > 0);

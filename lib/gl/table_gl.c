@@ -15,14 +15,13 @@ static GLuint table_program_create(const cupola_gl *gl, int output, enum cupola_
                                    struct cupola_error *error)
 {
     static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},
-        {"points.glsl", shader_points_glsl},
-        {"views.glsl", shader_views_glsl},
+        {"varying.glsl", shader_varying_glsl}, {"lens.glsl", shader_lens_glsl},
+        {"points.glsl", shader_points_glsl},   {"views.glsl", shader_views_glsl},
         {"table.frag", shader_table_frag},
     };
     char defines[PROGRAM_DEFINES_MAX];
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)stage, defines);
-    GLuint program = program_create(defines, files, 4, error);
+    GLuint program = program_create(defines, files, 5, error);
     if (!program)
         return 0;
     glUseProgram(program);

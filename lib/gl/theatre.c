@@ -54,18 +54,17 @@ static void set_furniture(GLuint program, const cupola_dome *dome)
 static int create_programs(cupola_theatre *theatre, struct cupola_error *error)
 {
     static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},
-        {"points.glsl", shader_points_glsl},
-        {"light.glsl", shader_light_glsl},
+        {"varying.glsl", shader_varying_glsl}, {"lens.glsl", shader_lens_glsl},
+        {"points.glsl", shader_points_glsl},   {"light.glsl", shader_light_glsl},
         {"theatre.frag", shader_theatre_frag},
     };
     char lines[WARP_LINES_MAX];
-    light_lines(CUPOLA_ENCODING_SRGB, true, false, lines);
+    light_lines(CUPOLA_ENCODING_SRGB, true, false, false, lines);
     for (int i = 0; i < theatre->dome.rig.output_count; i++) {
         char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX];
         program_defines(&theatre->dome, i, 1, 0, defines);
         strcat(defines, lines);
-        GLuint program = program_create(defines, files, 4, error);
+        GLuint program = program_create(defines, files, 5, error);
         if (!program)
             return error->status;
         guest_name(&theatre->guest, GL_PROGRAM, program, "theatre of output %d", i);

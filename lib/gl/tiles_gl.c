@@ -10,6 +10,7 @@
 
 #include "constants.h"
 #include "error.h"
+#include "filter_gl.h"
 #include "geometry/vector.h"
 #include "geometry/views.h"
 #include "gl_objects.h"
@@ -138,12 +139,13 @@ int tile_pass_create(const cupola_gl *gl, int output, struct tile_pass *pass,
 {
     struct host_buffer host;
     int most_px = largest_point_px(&gl->features);
+    double reach_px = jitter_reach_px(gl) + filter_reach_px(&gl->params.filter);
     if (!most_px)
         return error_set(error, CUPOLA_ERROR_GL,
                          "this GL draws no points of %d px, which the table stage tiles needs; "
                          "allowed: the other stages",
                          TILE_LEAST_PX);
-    int status = tiles_create(&gl->plan, output, most_px, jitter_reach_px(gl), &pass->tiles, error);
+    int status = tiles_create(&gl->plan, output, most_px, reach_px, &pass->tiles, error);
     if (status != CUPOLA_OK)
         return status;
     set_pairs(gl, &pass->tiles);
@@ -186,10 +188,10 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
                            struct cupola_error *error)
 {
     static const struct shader_file vertex = {"tile.vert", shader_tile_vert};
-    static const struct shader_file other[] = {
-        {"views.glsl", shader_views_glsl},
-        {"images.glsl", shader_images_glsl},
-        {"light.glsl", shader_light_glsl},
+    const struct shader_file other[] = {
+        {"varying.glsl", shader_varying_glsl}, {"views.glsl", shader_views_glsl},
+        {"images.glsl", shader_images_glsl},   {"light.glsl", shader_light_glsl},
+        {"places", gl->filter_places},         {"filter.glsl", shader_filter_glsl},
         {"tile.frag", shader_tile_frag},
     };
     char defines[PROGRAM_DEFINES_MAX + WARP_LINES_MAX + TILE_LINES_MAX + CONSTANTS_MAX];
@@ -198,16 +200,18 @@ GLuint tile_program_create(const cupola_gl *gl, int output, int kind, const char
     strcat(defines, lines);
     snprintf(tile_lines, sizeof tile_lines,
              "#define TILE_PURE %d\n#define TILE_PAIR %d\n#define TILE_CHOOSING %d\n"
-             "#define TILE_EXACT %d\n#define TILE_DARK %d\n#define TILE_KIND %d\n",
-             TILE_PURE, TILE_PAIR, TILE_CHOOSING, TILE_EXACT, TILE_DARK, kind);
+             "#define TILE_EXACT %d\n#define TILE_DARK %d\n#define TILE_KIND %d\n"
+             "#define RIM %d\n#define CORNER (GAIN || DITHERED || TURNED)\n%s",
+             TILE_PURE, TILE_PAIR, TILE_CHOOSING, TILE_EXACT, TILE_DARK, kind, kind == TILE_EXACT,
+             kind == TILE_DARK ? "#undef RAYS\n#define RAYS 0\n" : "");
     strcat(defines, tile_lines);
     if (constants_write(gl, output, defines + strlen(defines), error) != CUPOLA_OK)
         return 0;
     const struct tiles *tiles = &gl->passes[output].tiles.tiles;
     const double viewport[2] = {tiles->width_px, tiles->height_px};
     GLuint program = kind == TILE_EXACT
-                         ? warp_program_compile(vertex.name, vertex.text, defines, error)
-                         : program_create_by(&vertex, defines, other, 4, error);
+                         ? warp_program_compile(gl, vertex.name, vertex.text, defines, error)
+                         : program_create_by(&vertex, defines, other, 7, error);
     if (!program)
         return 0;
     glUseProgram(program);

@@ -4,6 +4,7 @@
 
 #include "constants.h"
 #include "error.h"
+#include "filter_gl.h"
 #include "gl_objects.h"
 #include "host_cube.h"
 #include "host_point.h"
@@ -25,17 +26,18 @@ void warp_set_units(const cupola_gl *gl, GLuint program)
                      gl->params.storage == CUPOLA_STORAGE_LAYERS ? 1 : gl->plan.view_count, units);
 }
 
-GLuint warp_program_compile(const char *vertex_name, const char *vertex_text, const char *defines,
-                            struct cupola_error *error)
+GLuint warp_program_compile(const cupola_gl *gl, const char *vertex_name, const char *vertex_text,
+                            const char *defines, struct cupola_error *error)
 {
     const struct shader_file vertex = {vertex_name, vertex_text};
-    static const struct shader_file files[] = {
-        {"lens.glsl", shader_lens_glsl},   {"points.glsl", shader_points_glsl},
-        {"views.glsl", shader_views_glsl}, {"images.glsl", shader_images_glsl},
-        {"light.glsl", shader_light_glsl}, {"jitter.glsl", shader_jitter_glsl},
-        {"warp.frag", shader_warp_frag},
+    const struct shader_file files[] = {
+        {"varying.glsl", shader_varying_glsl}, {"lens.glsl", shader_lens_glsl},
+        {"points.glsl", shader_points_glsl},   {"views.glsl", shader_views_glsl},
+        {"images.glsl", shader_images_glsl},   {"light.glsl", shader_light_glsl},
+        {"jitter.glsl", shader_jitter_glsl},   {"places", gl->filter_places},
+        {"filter.glsl", shader_filter_glsl},   {"warp.frag", shader_warp_frag},
     };
-    return program_create_by(&vertex, defines, files, 7, error);
+    return program_create_by(&vertex, defines, files, 10, error);
 }
 
 static GLuint views_program_create(const cupola_gl *gl, int output, const char *lines,
@@ -45,10 +47,11 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
     program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)gl->passes[output].stage,
                     defines);
     strcat(defines, lines);
+    strcat(defines, "#define RIM 1\n");
     if (constants_write(gl, output, defines + strlen(defines), error) != CUPOLA_OK)
         return 0;
     GLuint program =
-        warp_program_compile("fullscreen.vert", shader_fullscreen_vert, defines, error);
+        warp_program_compile(gl, "fullscreen.vert", shader_fullscreen_vert, defines, error);
     if (!program)
         return 0;
     glUseProgram(program);
@@ -58,19 +61,22 @@ static GLuint views_program_create(const cupola_gl *gl, int output, const char *
     return program;
 }
 
-void light_lines(enum cupola_encoding encoding, bool asked, bool gained, char lines[WARP_LINES_MAX])
+void light_lines(enum cupola_encoding encoding, bool asked, bool gained, bool dithered,
+                 char lines[WARP_LINES_MAX])
 {
     enum { LINEAR, SRGB, ASKED };
     int way = encoding == CUPOLA_ENCODING_LINEAR ? LINEAR : asked ? ASKED : SRGB;
     snprintf(lines, WARP_LINES_MAX,
              "#define GAIN %d\n#define ENCODING_SRGB %d\n#define ENCODING_ASKED %d\n"
-             "#define ENCODING %d\n",
-             gained, SRGB, ASKED, way);
+             "#define ENCODING %d\n#define DITHERED %d\n",
+             gained, SRGB, ASKED, way, dithered);
 }
 
-void warp_lines(const cupola_gl *gl, bool gained, bool asked, char lines[WARP_LINES_MAX])
+void warp_lines(const cupola_gl *gl, bool gained, char lines[WARP_LINES_MAX])
 {
-    light_lines(gl->params.encoding, gl->features.srgb_always || asked, gained, lines);
+    light_lines(gl->params.encoding, gl->features.srgb_always, gained, gl->params.dither_bits > 0,
+                lines);
+    filter_lines(&gl->params, lines + strlen(lines));
     size_t length = strlen(lines);
     snprintf(lines + length, WARP_LINES_MAX - length,
              "#define STORAGE_ATLAS %d\n#define STORAGE_TEXTURES %d\n#define STORAGE_LAYERS %d\n"
@@ -83,7 +89,7 @@ static int warp_program_create(const cupola_gl *gl, int output, int kind, bool g
                                struct warp_program *made, struct cupola_error *error)
 {
     char lines[WARP_LINES_MAX];
-    warp_lines(gl, gained, false, lines);
+    warp_lines(gl, gained, lines);
     GLuint program =
         kind >= SOURCE_KINDS ? tile_program_create(gl, output, kind - SOURCE_KINDS, lines, error)
         : kind == CUPOLA_SOURCE_VIEWS ? views_program_create(gl, output, lines, error)
@@ -174,11 +180,19 @@ int warp_views_create(cupola_gl *gl, int output, struct cupola_error *error)
     return programs_complete(gl, output, false, true, pass->programs[false], error);
 }
 
+/* A table has one ray for each pixel. */
+static enum cupola_table stage_of(const cupola_gl *gl)
+{
+    enum cupola_table wished = gl->params.table;
+    bool tabled = wished != CUPOLA_TABLE_TILES && wished != CUPOLA_TABLE_AUTO;
+    return tabled && filter_sends_rays(&gl->params.filter) ? CUPOLA_TABLE_NONE : wished;
+}
+
 int warp_pass_create(cupola_gl *gl, int output, struct cupola_error *error)
 {
     struct warp_pass *pass = &gl->passes[output];
     int status = CUPOLA_OK;
-    pass->stage = gl->params.table;
+    pass->stage = stage_of(gl);
     if (shows_source(gl, CUPOLA_SOURCE_VIEWS))
         status = pass->stage == CUPOLA_TABLE_AUTO ? table_choose(gl, output, error)
                                                   : warp_views_create(gl, output, error);

@@ -52,6 +52,16 @@ extern const struct contender_kind contender_cupola;
 extern const struct contender_kind contender_one_pass;
 /* Cupola's own choice with the table stage that the variant is. */
 extern const struct contender_kind contender_stage;
+/* Cupola's warp with a filter; the variant is contender_filters' own. */
+extern const struct contender_kind contender_filter;
+
+/*
+ * Writes those of all filters, with so many samples where their number can be chosen; returns how
+ * many. contender_filter_found: whether a name is that of one.
+ */
+enum { FILTER_CONTENDERS = 6 };
+int contender_filters(int samples, struct contender contenders[FILTER_CONTENDERS]);
+bool contender_filter_found(const char *name);
 /*
  * The same planned for a viewer who moves: at rest, having moved, and with another eye before every
  * warp, where what follows from it is timed, too.

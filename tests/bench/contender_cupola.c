@@ -130,6 +130,46 @@ static void *stage_prepare(const struct setting *setting, int variant, char *mes
     return prepare(setting, &(struct cupola_plan_params){0}, &params, message);
 }
 
+enum { SAMPLES_UNIT = 16 }; /* of a variant; the rest is the method */
+
+int contender_filters(int samples, struct contender contenders[FILTER_CONTENDERS])
+{
+    static const struct contender all[FILTER_CONTENDERS] = {
+        {"aa-none", &contender_filter, CUPOLA_ANTIALIASING_NONE},
+        {"aa-texture", &contender_filter, CUPOLA_ANTIALIASING_TEXTURE},
+        {"aa-texture-9", &contender_filter, CUPOLA_ANTIALIASING_TEXTURE + 9 * SAMPLES_UNIT},
+        {"aa-cone", &contender_filter, CUPOLA_ANTIALIASING_CONE},
+        {"aa-adaptive", &contender_filter, CUPOLA_ANTIALIASING_ADAPTIVE},
+        {"aa-footprint", &contender_filter, CUPOLA_ANTIALIASING_FOOTPRINT},
+    };
+
+    memcpy(contenders, all, sizeof all);
+    for (int i = 0; i < FILTER_CONTENDERS; i++)
+        if (all[i].variant >= CUPOLA_ANTIALIASING_CONE && all[i].variant < SAMPLES_UNIT)
+            contenders[i].variant += samples * SAMPLES_UNIT;
+    return FILTER_CONTENDERS;
+}
+
+bool contender_filter_found(const char *name)
+{
+    struct contender all[FILTER_CONTENDERS];
+
+    contender_filters(0, all);
+    for (int i = 0; i < FILTER_CONTENDERS; i++)
+        if (strcmp(name, all[i].name) == 0)
+            return true;
+    return false;
+}
+
+static void *filter_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_gl_params params = setting->gl;
+
+    params.filter.method = (enum cupola_antialiasing)(variant % SAMPLES_UNIT);
+    params.filter.samples = variant / SAMPLES_UNIT;
+    return prepare(setting, &(struct cupola_plan_params){0}, &params, message);
+}
+
 static void *head_prepare(const struct setting *setting, int variant, char *message)
 {
     const struct cupola_rig *rig = cupola_dome_rig(setting->dome);
@@ -302,6 +342,11 @@ const struct contender_kind contender_stage = {.prepare = stage_prepare,
                                                .warp = frames_warp,
                                                .facts = frames_facts,
                                                .release = frames_release};
+const struct contender_kind contender_filter = {.prepare = filter_prepare,
+                                                .views = frames_views,
+                                                .warp = frames_warp,
+                                                .facts = frames_facts,
+                                                .release = frames_release};
 const struct contender_kind contender_resting = {.prepare = head_prepare,
                                                  .views = frames_views,
                                                  .warp = frames_warp,

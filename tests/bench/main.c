@@ -55,9 +55,10 @@ static const struct contender part_contenders[] = {
     {"cupola-unmasked-views", &contender_cupola_views, CUPOLA_UNMASKED},
 };
 
-enum { PART_CONTENDERS = sizeof part_contenders / sizeof *part_contenders };
-
-enum { FRAME_CONTENDERS = sizeof frame_contenders / sizeof *frame_contenders };
+enum {
+    PART_CONTENDERS = sizeof part_contenders / sizeof *part_contenders,
+    FRAME_CONTENDERS = sizeof frame_contenders / sizeof *frame_contenders,
+};
 
 static bool take_scene(struct bench *bench, const struct load *load)
 {
@@ -101,6 +102,7 @@ static bool compare(struct bench *bench, struct setting *setting,
 
     count = choose(bench, all, count, contenders);
     wishes.warp_alone = strcmp(heading->family, family_names[FAMILY_WARP]) == 0 ||
+                        strcmp(heading->family, family_names[FAMILY_FILTERS]) == 0 ||
                         strcmp(heading->family, family_names[FAMILY_EYE]) == 0;
     if (!take_scene(bench, &setting->load) ||
         !setting_create(setting, bench->scene, bench->message))
@@ -171,6 +173,18 @@ static bool warp_one(struct bench *bench, struct setting *setting)
             return false;
     }
     return true;
+}
+
+/* Every way of antialiasing, in blits. */
+static bool filters_one(struct bench *bench, struct setting *setting)
+{
+    struct contender contenders[1 + FILTER_CONTENDERS] = {{"blit", &contender_blit, 0}};
+    int count = 1 + contender_filters(bench->options.samples, contenders + 1);
+
+    return load_find(bench->options.loads[0], &bench->options.wishes, setting->size_px,
+                     &setting->load, bench->message) &&
+           compare(bench, setting, &(struct json_heading){.family = family_names[FAMILY_FILTERS]},
+                   contenders, count);
 }
 
 /* Every stage with the viewer at rest, having moved, and moving before every warp. */
@@ -276,6 +290,8 @@ static bool run_family(struct bench *bench, enum family family)
     switch (family) {
     case FAMILY_WARP:
         return each_setting(bench, warp_one);
+    case FAMILY_FILTERS:
+        return each_setting(bench, filters_one);
     case FAMILY_EYE:
         return each_setting(bench, eye_one);
     case FAMILY_FRAME:
@@ -344,6 +360,8 @@ static bool is_contender(const char *name)
                 strcmp(name + stage, states[k]) == 0)
                 return true;
     }
+    if (contender_filter_found(name))
+        return true;
     return sscanf(name, "cupola-%1d-views%n", &views, &length) == 1 && length > 0 &&
            !name[length] && views >= 1 && views <= CUPOLA_VIEWS_MAX;
 }

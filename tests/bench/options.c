@@ -7,15 +7,16 @@
 #include <string.h>
 
 const char *const family_names[FAMILIES] = {
-    [FAMILY_WARP] = "warp",   [FAMILY_EYE] = "eye",     [FAMILY_FRAME] = "frame",
-    [FAMILY_PARTS] = "parts", [FAMILY_LAMPS] = "lamps", [FAMILY_TRIANGLES] = "triangles",
-    [FAMILY_VIEWS] = "views", [FAMILY_SIZE] = "size"};
+    [FAMILY_WARP] = "warp",       [FAMILY_EYE] = "eye",     [FAMILY_FRAME] = "frame",
+    [FAMILY_PARTS] = "parts",     [FAMILY_LAMPS] = "lamps", [FAMILY_TRIANGLES] = "triangles",
+    [FAMILY_FILTERS] = "filters", [FAMILY_VIEWS] = "views", [FAMILY_SIZE] = "size"};
 
 static const char help[] =
     "Usage: cupola-bench [OPTION...]\n"
     "Measures what a dome costs, as ratios within one run, and writes JSON.\n"
     "\n"
-    "  --family NAME,...   warp, eye, frame, parts, lamps, triangles, views, size (all)\n"
+    "  --family NAME,...   warp, eye, frame, parts, lamps, triangles, views, size,\n"
+    "                      filters (all)\n"
     "  --size N,...        sides of the output, px (1024)\n"
     "  --fov DEG,...       of the lens (140)\n"
     "  --lens NAME,...     angular, hemispheric (angular)\n"
@@ -23,6 +24,7 @@ static const char help[] =
     "                      ns:COST: the lamps that make a pixel cost so many ns (light,heavy)\n"
     "  --contenders N,...  by the names in the results, besides the first (all)\n"
     "  --table NAME        the warp's table in whole frames (auto, or tiles)\n"
+    "  --samples N         rays of a pixel, of the family filters (4)\n"
     "  --frames N          rounds that count (200)\n"
     "  --warm-up N         frames before them (5)\n"
     "  --clock NAME        auto: gpu, and wall for software rasterisers; or processor, for busy\n"
@@ -39,6 +41,7 @@ enum wish {
     OPTION_LOAD,
     OPTION_CONTENDERS,
     OPTION_TABLE,
+    OPTION_SAMPLES,
     OPTION_FRAMES,
     OPTION_WARM_UP,
     OPTION_CLOCK,
@@ -55,6 +58,7 @@ static const struct option long_options[] = {
     {"load", required_argument, NULL, OPTION_LOAD},
     {"contenders", required_argument, NULL, OPTION_CONTENDERS},
     {"table", required_argument, NULL, OPTION_TABLE},
+    {"samples", required_argument, NULL, OPTION_SAMPLES},
     {"frames", required_argument, NULL, OPTION_FRAMES},
     {"warm-up", required_argument, NULL, OPTION_WARM_UP},
     {"clock", required_argument, NULL, OPTION_CLOCK},
@@ -64,13 +68,14 @@ static const struct option long_options[] = {
     {0}};
 
 static const char *const allowed[] = {
-    [OPTION_FAMILY] = "warp, eye, frame, parts, lamps, triangles, views, size",
+    [OPTION_FAMILY] = "warp, eye, frame, parts, lamps, triangles, views, size, filters",
     [OPTION_SIZE] = "16 to 16384, up to 16 of them",
     [OPTION_FOV] = "1 to 300, up to 16 of them",
     [OPTION_LENS] = "angular, hemispheric",
     [OPTION_LOAD] = "up to 16 of them",
     [OPTION_CONTENDERS] = "up to 32 of them",
     [OPTION_TABLE] = "the stages by name, as cupola-demo --table has them",
+    [OPTION_SAMPLES] = "1 to 64",
     [OPTION_FRAMES] = "1 to 100000",
     [OPTION_WARM_UP] = "0 to 100000",
     [OPTION_CLOCK] = "auto, wall, processor, gpu",
@@ -160,6 +165,8 @@ static bool take(struct options *options, int option, char *value, const char **
     case OPTION_TABLE:
         options->table = cupola_table_find(value);
         return options->table >= 0;
+    case OPTION_SAMPLES:
+        return read_whole(value, 1, CUPOLA_RAYS_MAX, &options->samples);
     case OPTION_FRAMES:
         return read_whole(value, 1, 100000, &options->wishes.frames);
     case OPTION_WARM_UP:
@@ -216,7 +223,7 @@ bool options_read(struct options *options, int argc, char **argv, int *status)
     int option, index = 0;
     const char *word = NULL;
 
-    *options = (struct options){.table = -1, .wishes = {.frames = 200, .warm_up = 5}};
+    *options = (struct options){.table = -1, .samples = 4, .wishes = {.frames = 200, .warm_up = 5}};
     *status = 2;
     while ((option = getopt_long(argc, argv, "", long_options, &index)) != -1) {
         if (option == OPTION_HELP) {

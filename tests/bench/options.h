@@ -15,6 +15,7 @@ enum family {
     FAMILY_TRIANGLES,
     FAMILY_VIEWS,
     FAMILY_SIZE,
+    FAMILY_FILTERS,
     FAMILIES
 };
 
@@ -30,7 +31,8 @@ struct options {
     bool load_given;                   /* it is not the default */
     const char *contenders[NAMES_MAX]; /* by name, besides the first; none: all */
     int contender_count;
-    int table; /* of enum cupola_table, for whole frames */
+    int table;   /* of enum cupola_table, for whole frames */
+    int samples; /* rays of a pixel */
     struct comparison_wishes wishes;
     bool no_quality;
     const char *output; /* NULL: stdout */

@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 
+#include "antialiasing.h"
 #include "log.h"
 #include "version.h"
 
@@ -54,7 +55,11 @@ enum cupola_encoding {
     CUPOLA_ENCODING_SRGB,
 };
 
-/* What is computed once instead of once per frame; the paper's section 3.3.1. */
+/*
+ * What is computed once instead of once per frame; the paper's section 3.3.1. A table has one ray
+ * for each pixel: with a filter that may send out more (cone, adaptive, footprint) every stage but
+ * tiles and auto is none, and cupola_gl_table answers so.
+ */
 enum cupola_table {
     CUPOLA_TABLE_POINTS = 0,  /* D, the points of the screen */
     CUPOLA_TABLE_NONE,        /* nothing: all in the shader */
@@ -122,6 +127,16 @@ struct cupola_gl_params {
      * the GL could tell of textures and targets, that they exist included.
      * docs/host-contract.md has both lists. */
     bool leaves_state;
+    /*
+     * How many rays a pixel sends out, and which texels each of them means (antialiasing.h); all
+     * zero: one, of four texels. Views are asked by the rays of this filter, and so are pictures; of
+     * a picture with mipmaps each ray takes the level that its part of the pixel calls for.
+     */
+    struct cupola_filter filter;
+    /* Noise for targets of so few bits, so that a slope of light shows no steps: 8, or 0 for none.
+     * It is the same in all channels of a pixel, by `seed` of the filter, at most one step either
+     * way, and leaves the mean of what the warp computes and black and white as they are. */
+    int dither_bits;
     struct cupola_log log; /* who is told what happens (log.h); all zero: nobody */
 };
 

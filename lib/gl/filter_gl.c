@@ -1,0 +1,151 @@
+/* What shaders know of the filter. */
+#include "filter_gl.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "error.h"
+#include "geometry/filter.h"
+
+/* Of so many rays each has its own code; more of them would take compilers too long. */
+enum { UNROLLED_MAX = 8 };
+
+/* "RAY(-1.12345678e-01, -1.12345678e-01, 1.12345678e-01) " and room for whatever frames it. */
+enum { PLACE_LENGTH = 64, FRAME_LENGTH = 96 };
+
+int filter_params_complete(struct cupola_gl_params *params, struct cupola_error *error)
+{
+    int status = filter_check(&params->filter, &params->filter, error);
+    if (status != CUPOLA_OK)
+        return status;
+    if (params->dither_bits != 0 && params->dither_bits != 8)
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "dither_bits is %d; allowed: 8, or 0 for none", params->dither_bits);
+    return CUPOLA_OK;
+}
+
+bool filter_sends_rays(const struct cupola_filter *filter)
+{
+    return filter->method == CUPOLA_ANTIALIASING_CONE ||
+           filter->method == CUPOLA_ANTIALIASING_ADAPTIVE ||
+           filter->method == CUPOLA_ANTIALIASING_FOOTPRINT;
+}
+
+double filter_reach_px(const struct cupola_filter *filter)
+{
+    return filter_sends_rays(filter) ? 2 : 0;
+}
+
+static bool has_patterns(const struct cupola_filter *filter)
+{
+    return filter->method == CUPOLA_ANTIALIASING_CONE ||
+           filter->method == CUPOLA_ANTIALIASING_ADAPTIVE;
+}
+
+static int texels_of_ray(const struct cupola_filter *filter)
+{
+    if (filter->method == CUPOLA_ANTIALIASING_NONE)
+        return 1;
+    return filter->method == CUPOLA_ANTIALIASING_TEXTURE ? filter->samples : 4;
+}
+
+void filter_lines(const struct cupola_gl_params *params, char lines[FILTER_LINES_MAX])
+{
+    const struct cupola_filter *filter = &params->filter;
+    snprintf(lines, FILTER_LINES_MAX,
+             "#define FILTER_CONE %d\n#define FILTER_ADAPTIVE %d\n#define FILTER_FOOTPRINT %d\n"
+             "#define FILTER %d\n#define FILTER_SEED %" PRIu32 "u\n#define RAYS %d\n"
+             "#define TEXELS %d\n#define SAMPLES %d\n#define FOOTPRINT_RAYS %d\n"
+             "#define METRIC %d\n#define TURNED %d\n#define UNROLLED %d\n",
+             CUPOLA_ANTIALIASING_CONE, CUPOLA_ANTIALIASING_ADAPTIVE, CUPOLA_ANTIALIASING_FOOTPRINT,
+             (int)filter->method, filter->seed, filter_sends_rays(filter), texels_of_ray(filter),
+             filter->samples,
+             filter->samples < FOOTPRINT_RAYS_MAX ? filter->samples : FOOTPRINT_RAYS_MAX,
+             has_patterns(filter), filter->turned && has_patterns(filter),
+             filter->samples <= UNROLLED_MAX);
+}
+
+/* A text that has room for all that is added. */
+struct text {
+    char *at;
+    size_t length;
+};
+
+static void add(struct text *text, const char *words)
+{
+    size_t length = strlen(words);
+    memcpy(text->at + text->length, words, length + 1);
+    text->length += length;
+}
+
+/* With a point, whatever the host's locale has. */
+static void add_place(struct text *text, const char *before, const struct pattern_place *place,
+                      const char *after)
+{
+    const double numbers[3] = {place->x, place->y, place->weight};
+    add(text, before);
+    for (int i = 0; i < 3; i++) {
+        char digits[32];
+        snprintf(digits, sizeof digits, "%.8e", numbers[i]);
+        digits[digits[0] == '-' ? 2 : 1] = '.';
+        add(text, i ? ", " : "");
+        add(text, digits);
+    }
+    add(text, after);
+}
+
+/* Each pattern as a macro, and one of all of them. */
+static void add_macros(struct text *text, enum cupola_pattern kind, int first, int last)
+{
+    char words[FRAME_LENGTH];
+    for (int count = first; count <= last; count++) {
+        struct pattern pattern;
+        pattern_make(kind, count, &pattern);
+        snprintf(words, sizeof words, "#define RAYS_%d(RAY)", count);
+        add(text, words);
+        for (int i = 0; i < count; i++)
+            add_place(text, " RAY(", &pattern.places[i], ")");
+        add(text, "\n");
+    }
+    add(text, "#define EACH_RAYS(ONE)");
+    for (int count = first; count <= last; count++) {
+        snprintf(words, sizeof words, " ONE(%d, RAYS_%d)", count, count);
+        add(text, words);
+    }
+    add(text, "\n");
+}
+
+/* All patterns one after the other. */
+static void add_array(struct text *text, enum cupola_pattern kind, int first, int last)
+{
+    char words[FRAME_LENGTH];
+    int places = (last + first) * (last - first + 1) / 2;
+    snprintf(words, sizeof words, "const vec3 pattern_places[%d] = vec3[%d](\n", places, places);
+    add(text, words);
+    for (int count = first; count <= last; count++) {
+        struct pattern pattern;
+        pattern_make(kind, count, &pattern);
+        for (int i = 0; i < count; i++)
+            add_place(text, "vec3(", &pattern.places[i],
+                      count == last && i == count - 1 ? "));\n" : "),\n");
+    }
+}
+
+char *filter_places_text(const struct cupola_filter *filter)
+{
+    int last = has_patterns(filter) ? filter->samples : 0;
+    int first = filter->method == CUPOLA_ANTIALIASING_ADAPTIVE ? 1 : last;
+    int places = (last + first) * (last - first + 1) / 2;
+    size_t room = (size_t)places * PLACE_LENGTH + (size_t)(last - first + 2) * FRAME_LENGTH;
+    struct text text = {malloc(room), 0};
+    if (!text.at)
+        return NULL;
+    text.at[0] = 0;
+    if (last > 0 && last <= UNROLLED_MAX)
+        add_macros(&text, filter->pattern, first, last);
+    else if (last > 0)
+        add_array(&text, filter->pattern, first, last);
+    return text.at;
+}
