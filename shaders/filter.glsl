@@ -4,8 +4,8 @@
 //
 // Before this stand the places of rays as literals: a software rasteriser reads arrays that are
 // indexed by what varies anew for every pixel. RAYS_n(RAY) is RAY(x, y, weight) for each ray of a
-// pattern of n, and EACH_RAYS(ONE) is ONE(n, RAYS_n) for each n; where UNROLLED is 0 they are too many
-// for that, and stand in an array.
+// pattern of n, and EACH_RAYS(ONE) is ONE(n, RAYS_n) for each n; where UNROLLED is 0 they are too
+// many for that, and stand in an array.
 
 #if RAYS
 // What a ray shows: of the program that includes this. Rays are those of its own space: any in
@@ -37,22 +37,33 @@ mat2 filter_cone(vec3 metric)
 int filter_adaptive_count(mat2 jacobian)
 {
     float covered = abs(jacobian[0].x * jacobian[1].y - jacobian[1].x * jacobian[0].y);
-    return int(clamp(ceil(covered - 1e-6), 1.0, float(SAMPLES)));
+    return int(clamp(ceil(covered - 1e-3), 1.0, float(SAMPLES)));
 }
 
-#if FILTER == FILTER_FOOTPRINT
-// The number of rays, and in xy the place of the outer end of their line, px.
-vec3 filter_footprint(mat2 jacobian)
+// In xy the direction of the larger singular value, which is z.
+vec3 filter_long_axis(mat2 jacobian)
 {
     float xx = dot(jacobian[0], jacobian[0]), xy = dot(jacobian[0], jacobian[1]);
     float yy = dot(jacobian[1], jacobian[1]);
-    float middle = 0.5 * (xx + yy), half_apart = 0.5 * (xx - yy);
-    float root = sqrt(half_apart * half_apart + xy * xy);
-    vec2 along = half_apart > 0.0 ? vec2(half_apart + root, xy) : vec2(xy, root - half_apart);
-    float square = dot(along, along);
-    along = square > 0.0 ? along * inversesqrt(square) : vec2(1.0, 0.0);
-    float count = clamp(ceil(sqrt(middle + root) - 0.25), 1.0, float(FOOTPRINT_RAYS));
-    return vec3(along, count);
+    float apart = 0.5 * (xx - yy), root = sqrt(apart * apart + xy * xy);
+    vec2 axis = apart < 0.0 ? vec2(xy, root - apart) : vec2(apart + root, xy);
+    float square = dot(axis, axis);
+    axis = square > 0.0 ? axis * inversesqrt(square) : vec2(1.0, 0.0);
+    return vec3(axis, sqrt(0.5 * (xx + yy) + root));
+}
+
+#if FILTER == FILTER_FOOTPRINT
+int filter_footprint_count(vec3 axis)
+{
+    return int(clamp(ceil(axis.z), 1.0, float(FOOTPRINT_RAYS)));
+}
+
+// From a ray to the next, px.
+vec2 filter_footprint_pitch(vec3 axis, int count)
+{
+    float square = float(count * count - 1);
+    return count > 1 ? axis.xy * (sqrt((axis.z * axis.z - FOOTPRINT_BLUR) / square) / axis.z)
+                     : vec2(0.0);
 }
 #endif
 
@@ -60,8 +71,9 @@ vec3 filter_footprint(mat2 jacobian)
 mat2 ray_part(mat2 jacobian)
 {
 #if FILTER == FILTER_FOOTPRINT
-    vec3 line = filter_footprint(jacobian);
-    return mat2(1.0) - (1.0 - 1.0 / line.z) * outerProduct(line.xy, line.xy);
+    vec3 axis = filter_long_axis(jacobian);
+    float part = 1.0 / float(filter_footprint_count(axis));
+    return mat2(1.0) - (1.0 - part) * outerProduct(axis.xy, axis.xy);
 #elif FILTER == FILTER_ADAPTIVE
     return mat2(inversesqrt(float(filter_adaptive_count(jacobian))));
 #else
@@ -109,9 +121,9 @@ vec4 place_light(Rays rays, vec2 place)
 vec4 rays_sum(Rays rays, int count)
 {
     vec4 light = vec4(0.0);
-    float part = 1.0 / float(count);
+    float part = 1.0 / float(count), middle = 0.5 * float(count - 1);
     for (int i = 0; i < count; i++)
-        ADD_RAY((float(i) + 0.5) * part - 0.5, 0.0, part)
+        ADD_RAY(float(i) - middle, 0.0, part)
     return light;
 }
 #elif UNROLLED
@@ -147,18 +159,22 @@ mat2 pattern_turn(vec2 pixel)
 vec4 rays_light(Varying ray, Varying same, mat2 jacobian, vec2 pixel, vec2 place)
 {
 #if FILTER == FILTER_FOOTPRINT
-    vec3 line = filter_footprint(jacobian);
-    return rays_sum(Rays(ray, mat2(line.xy, 0.0, 0.0), place), int(line.z));
+    vec3 axis = filter_long_axis(jacobian);
+    int count = filter_footprint_count(axis);
+    return rays_sum(Rays(ray, mat2(filter_footprint_pitch(axis, count), 0.0, 0.0), place), count);
 #else
+#if FILTER == FILTER_ADAPTIVE
+    int count = filter_adaptive_count(jacobian);
+    vec2 axis = 0.564189584 * filter_long_axis(jacobian).xy;
+    mat2 shape = mat2(axis, -axis.y, axis.x);
+#else
+    const int count = SAMPLES;
     mat2 shape = filter_cone(cone_metric(ray, same));
+#endif
 #if TURNED
     shape = shape * pattern_turn(pixel);
 #endif
-#if FILTER == FILTER_ADAPTIVE
-    return rays_sum(Rays(ray, shape, place), filter_adaptive_count(jacobian));
-#else
-    return rays_sum(Rays(ray, shape, place), SAMPLES);
-#endif
+    return rays_sum(Rays(ray, shape, place), count);
 #endif
 }
 #endif

@@ -52,7 +52,8 @@ vec4 image_light(int view, vec2 place)
     ivec2 nearest = clamp(ivec2(texel * vec2(size)), ivec2(0), size - 1);
     return texelFetch(images, ivec3(nearest, int(image_layer[view] + 0.5)), 0);
 #elif TEXELS == 9
-#define LIGHT_TAP(image, place, apart) textureLod(image, vec3(place + apart, image_layer[view]), 0.0)
+#define LIGHT_TAP(image, place, apart)                                                             \
+    textureLod(image, vec3(place + apart, image_layer[view]), 0.0)
     return NINE_TEXELS(images, texel, 0.5 / vec2(size));
 #undef LIGHT_TAP
 #else

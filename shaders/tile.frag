@@ -21,7 +21,8 @@ vec3 tile_vector(vec2 p)
 {
     TERM x = terms[1] + p.x * (terms[3] + p.x * terms[6]);
     TERM y = terms[2] + p.x * (terms[4] + p.x * terms[7]);
-    return (terms[0] + p.x * x + p.y * (y + p.y * (terms[5] + p.x * terms[8] + p.y * terms[9]))).xyz;
+    TERM yy = terms[5] + p.x * terms[8] + p.y * terms[9];
+    return (terms[0] + p.x * x + p.y * (y + p.y * yy)).xyz;
 }
 
 // What a ray shows, which in a tile of one view or two is a place in the first, homogeneous.

@@ -58,13 +58,14 @@ void filter_lines(const struct cupola_gl_params *params, char lines[FILTER_LINES
              "#define FILTER_CONE %d\n#define FILTER_ADAPTIVE %d\n#define FILTER_FOOTPRINT %d\n"
              "#define FILTER %d\n#define FILTER_SEED %" PRIu32 "u\n#define RAYS %d\n"
              "#define TEXELS %d\n#define SAMPLES %d\n#define FOOTPRINT_RAYS %d\n"
-             "#define METRIC %d\n#define TURNED %d\n#define UNROLLED %d\n",
+             "#define METRIC %d\n#define TURNED %d\n#define UNROLLED %d\n"
+             "#define FOOTPRINT_BLUR (%d.0 / 1000.0)\n",
              CUPOLA_ANTIALIASING_CONE, CUPOLA_ANTIALIASING_ADAPTIVE, CUPOLA_ANTIALIASING_FOOTPRINT,
              (int)filter->method, filter->seed, filter_sends_rays(filter), texels_of_ray(filter),
              filter->samples,
              filter->samples < FOOTPRINT_RAYS_MAX ? filter->samples : FOOTPRINT_RAYS_MAX,
-             has_patterns(filter), filter->turned && has_patterns(filter),
-             filter->samples <= UNROLLED_MAX);
+             filter->method == CUPOLA_ANTIALIASING_CONE, filter->turned && has_patterns(filter),
+             filter->samples <= UNROLLED_MAX, (int)(1000 * FOOTPRINT_BLUR + 0.5));
 }
 
 /* A text that has room for all that is added. */
@@ -97,12 +98,12 @@ static void add_place(struct text *text, const char *before, const struct patter
 }
 
 /* Each pattern as a macro, and one of all of them. */
-static void add_macros(struct text *text, enum cupola_pattern kind, int first, int last)
+static void add_macros(struct text *text, const struct cupola_filter *filter, int first, int last)
 {
     char words[FRAME_LENGTH];
     for (int count = first; count <= last; count++) {
         struct pattern pattern;
-        pattern_make(kind, count, &pattern);
+        filter_pattern(filter, count, &pattern);
         snprintf(words, sizeof words, "#define RAYS_%d(RAY)", count);
         add(text, words);
         for (int i = 0; i < count; i++)
@@ -118,7 +119,7 @@ static void add_macros(struct text *text, enum cupola_pattern kind, int first, i
 }
 
 /* All patterns one after the other. */
-static void add_array(struct text *text, enum cupola_pattern kind, int first, int last)
+static void add_array(struct text *text, const struct cupola_filter *filter, int first, int last)
 {
     char words[FRAME_LENGTH];
     int places = (last + first) * (last - first + 1) / 2;
@@ -126,7 +127,7 @@ static void add_array(struct text *text, enum cupola_pattern kind, int first, in
     add(text, words);
     for (int count = first; count <= last; count++) {
         struct pattern pattern;
-        pattern_make(kind, count, &pattern);
+        filter_pattern(filter, count, &pattern);
         for (int i = 0; i < count; i++)
             add_place(text, "vec3(", &pattern.places[i],
                       count == last && i == count - 1 ? "));\n" : "),\n");
@@ -144,8 +145,8 @@ char *filter_places_text(const struct cupola_filter *filter)
         return NULL;
     text.at[0] = 0;
     if (last > 0 && last <= UNROLLED_MAX)
-        add_macros(&text, filter->pattern, first, last);
+        add_macros(&text, filter, first, last);
     else if (last > 0)
-        add_array(&text, filter->pattern, first, last);
+        add_array(&text, filter, first, last);
     return text.at;
 }

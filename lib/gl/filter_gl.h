@@ -13,13 +13,13 @@ int filter_params_complete(struct cupola_gl_params *params, struct cupola_error 
 bool filter_sends_rays(const struct cupola_filter *filter);
 
 /*
- * How far from the middle of its pixel a ray may be, px; in cones that are longer in pixels, as where
- * a lens draws out what it shows, rays are still within a texel or two.
+ * How far from the middle of its pixel a ray may be, px; in cones that are longer in pixels, as
+ * where a lens draws out what it shows, rays are still within a texel or two.
  */
 double filter_reach_px(const struct cupola_filter *filter);
 
 /* What images.glsl, light.glsl, filter.glsl and tile.vert want to know of a complete filter. */
-enum { FILTER_LINES_MAX = 400 };
+enum { FILTER_LINES_MAX = 480 };
 void filter_lines(const struct cupola_gl_params *params, char lines[FILTER_LINES_MAX]);
 
 /* The places of rays, as filter.glsl wants them; freed by the caller. NULL: no memory. */

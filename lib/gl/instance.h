@@ -251,7 +251,7 @@ static inline bool shows_source(const cupola_gl *gl, enum cupola_source_kind kin
 }
 
 /* Lines that images.glsl, light.glsl and filter.glsl rely on, but for RIM. */
-enum { WARP_LINES_MAX = 768 };
+enum { WARP_LINES_MAX = 896 };
 void warp_lines(const cupola_gl *gl, bool gained, char lines[WARP_LINES_MAX]);
 
 /* What shows the views pixel by pixel, with any vertex shader. 0 on failure. */
@@ -285,8 +285,8 @@ void source_bind(const cupola_gl *gl, const struct warp_program *program,
                  const struct cupola_source *source);
 
 /*
- * Sets the sampler of pictures and overlays. Round about: the left edge meets the right one; nearest:
- * one texel, no mean.
+ * Sets the sampler of pictures and overlays. Round about: the left edge meets the right one;
+ * nearest: one texel, no mean.
  */
 void picture_sampler_bind(const cupola_gl *gl, bool mipmaps, bool round_about, bool nearest);
 

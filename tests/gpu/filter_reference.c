@@ -3,9 +3,9 @@
  * noise: random rigs, lenses and eyes, by tiles, without tables, and with a table where methods of
  * several rays shall do without.
  *
- * What may differ is what warp_reference.c says. Beyond that, where a number of rays is rounded up, or
- * a place down to the nearest texel, either may be the right one within rounding: of some thousand
- * pixels a few.
+ * What may differ is what warp_reference.c says. Beyond that, where a number of rays is rounded up,
+ * or a place down to the nearest texel, either may be the right one within rounding: of some
+ * thousand pixels a few.
  */
 #include <stdio.h>
 #include <stdlib.h>

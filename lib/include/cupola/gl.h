@@ -400,8 +400,8 @@ CUPOLA_API int cupola_gl_capture(const struct cupola_target *target, int width, 
                                  float *rgba, struct cupola_error *error);
 
 /*
- * The table stage that an output is warped by: what was asked for, or what auto chose; or none where
- * a table was asked for and the filter may send out several rays from a pixel.
+ * The table stage that an output is warped by: what was asked for, or what auto chose; or none
+ * where a table was asked for and the filter may send out several rays from a pixel.
  *
  * output   index, 0 to the number of the rig's outputs - 1
  * returns  of enum cupola_table; CUPOLA_ERROR_ARGUMENT if gl is NULL, made without views, or there

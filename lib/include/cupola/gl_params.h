@@ -129,8 +129,8 @@ struct cupola_gl_params {
     bool leaves_state;
     /*
      * How many rays a pixel sends out, and which texels each of them means (antialiasing.h); all
-     * zero: one, of four texels. Views are asked by the rays of this filter, and so are pictures; of
-     * a picture with mipmaps each ray takes the level that its part of the pixel calls for.
+     * zero: one, of four texels. Views are asked by the rays of this filter, and so are pictures;
+     * of one with mipmaps each ray takes the level that its part of the pixel calls for.
      */
     struct cupola_filter filter;
     /* Noise for targets of so few bits, so that a slope of light shows no steps: 8, or 0 for none.
