@@ -53,6 +53,7 @@ bool file_clash_check(const struct options *options, const char *picture, char *
     char backup[PATH_MAX] = "";
     const char *save = options->save_rig;
     bool is_stdout = stats && strcmp(stats, "-") == 0;
+    bool report_to_stdout = options->report && strcmp(options->report, "-") == 0;
 
     if (save && snprintf(backup, sizeof backup, "%s.bak", save) >= (int)sizeof backup)
         backup[0] = 0;
@@ -65,6 +66,7 @@ bool file_clash_check(const struct options *options, const char *picture, char *
         {"--stats", is_stdout ? NULL : stats, true},
         {"--output", picture, true},
         {"--show", options->show, false},
+        {"--report", report_to_stdout ? NULL : options->report, true},
     };
     enum { COUNT = sizeof files / sizeof *files };
 

@@ -16,6 +16,7 @@
 #include "output_file.h"
 #include "show.h"
 #include "still.h"
+#include "survey.h"
 #include "window.h"
 #include "world.h"
 
@@ -37,6 +38,9 @@ static bool check_files(const struct options *options, char *message)
     if (options->stats && strcmp(options->stats, "-") != 0 &&
         !output_file_check("--stats", options->stats, message))
         return false;
+    if (options->report && strcmp(options->report, "-") != 0 &&
+        !output_file_check("--report", options->report, message))
+        return false;
     return !options->save_rig || output_file_check("--save-rig", options->save_rig, message);
 }
 
@@ -44,6 +48,11 @@ static int run(const struct options *options, const struct show_setup *setup, ch
 {
     bool window_wish = options->fullscreen || options->monitor >= 0 || options->swap_interval >= 0;
 
+    if (survey_is_wished(options)) {
+        int status = survey_run(options, setup, message);
+        if (status != STATUS_OK || survey_is_all(options))
+            return status;
+    }
     if (options->model &&
         !model_trial(options->model, options_scene_wishes(options).shading != SCENE_FLAT, message,
                      MESSAGE_SIZE))

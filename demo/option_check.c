@@ -2,6 +2,7 @@
 #include "option_check.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #include "file_pattern.h"
 
@@ -66,6 +67,47 @@ static const char *eye_contradiction(const struct options *o)
     return NULL;
 }
 
+/* Options that only a drawing has use for. */
+static bool wishes_drawing(const struct options *o)
+{
+    bool window_wish = o->fullscreen || o->monitor >= 0 || o->swap_interval >= 0;
+    bool scene_wish = o->model || o->scene_given || o->show || o->flat || o->shading >= 0 ||
+                      o->camera.given || o->look.given || o->up.given;
+
+    return scene_wish || window_wish || o->mark_count > 0 || o->frames > 0 || o->stats ||
+           o->eye_circle_m.given;
+}
+
+/* The same of what is told without drawing. */
+static const char *survey_contradiction(const struct options *o)
+{
+    bool map = o->mode == SHOW_MAP;
+    bool both = o->report && o->stats && !strcmp(o->report, "-") && !strcmp(o->stats, "-");
+
+    if (map && !o->output)
+        return "--map needs --output; allowed: FILE.png, or FILE.pfm for the numbers";
+    if (map && wishes_drawing(o))
+        return "--map draws no scene; allowed: the rig's options, --show-output, --output, "
+               "--save-rig, --headless and --report";
+    if (map && o->views_given && !o->report)
+        return "--layout, --views, --density and the like belong to views, and --map has none; "
+               "allowed: together with --report";
+    if (!o->report)
+        return NULL;
+    if (o->show || o->mode == SHOW_PERSPECTIVE)
+        return "--report is about the dome's views, and --show and --perspective have none; "
+               "allowed: without them";
+    if (o->goal_auto)
+        return "--report contradicts --goal auto, which times a scene's views; allowed: --goal "
+               "fill or vertices";
+    if (both)
+        return "--report and --stats both go to stdout; allowed: one of them";
+    if (!map && !o->output && !o->headless && (wishes_drawing(o) || o->mode != SHOW_DOME))
+        return "--report alone draws nothing; allowed: with --output or --headless, or without "
+               "options about what is drawn";
+    return NULL;
+}
+
 /* The same of all options. */
 const char *options_contradiction(const struct options *o)
 {
@@ -74,6 +116,8 @@ const char *options_contradiction(const struct options *o)
 
     if (!problem)
         problem = eye_contradiction(o);
+    if (!problem)
+        problem = survey_contradiction(o);
     if (problem)
         return problem;
     if (o->plan.density > 0 && o->plan.view_size_px > 0)

@@ -22,6 +22,12 @@ const char *option_preview_name(int index)
     return name_at(names, 2, index);
 }
 
+const char *option_map_name(int index)
+{
+    static const char *const names[] = {"density"};
+    return name_at(names, 1, index);
+}
+
 /* In the order of enum cupola_format. */
 const char *option_view_format_name(int index)
 {

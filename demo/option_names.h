@@ -4,6 +4,7 @@
 
 const char *option_flip_name(int index);
 const char *option_preview_name(int index);
+const char *option_map_name(int index);
 const char *option_view_format_name(int index);
 const char *option_mask_name(int index);
 const char *option_depth_name(int index);

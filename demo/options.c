@@ -72,7 +72,7 @@ static bool set_mode(const struct value_context *context, enum show_mode mode, e
         return true;
     }
     snprintf(context->message, MESSAGE_SIZE,
-             "%s: allowed: one of --perspective, --views-only and --preview, once",
+             "%s: allowed: one of --perspective, --views-only, --preview and --map, once",
              context->option);
     return false;
 }
@@ -96,6 +96,8 @@ static bool take_place(const struct value_context *c, int code, const char *text
     case OPTION_PREVIEW:
         return value_name(c, text, option_preview_name, &index) &&
                set_mode(c, index ? SHOW_PREVIEW_OUTSIDE : SHOW_PREVIEW_EYE, &o->mode);
+    case OPTION_MAP:
+        return value_name(c, text, option_map_name, &index) && set_mode(c, SHOW_MAP, &o->mode);
     case OPTION_SHOW_OUTPUT:
         return value_integer(c, text, 0, CUPOLA_OUTPUTS_MAX - 1, &o->show_output);
     case OPTION_HEADLESS:
@@ -106,6 +108,8 @@ static bool take_place(const struct value_context *c, int code, const char *text
         return value_output_path(c, text, &o->output);
     case OPTION_STATS:
         return value_path(c, text, &o->stats);
+    case OPTION_REPORT:
+        return value_path(c, text, &o->report);
     case OPTION_MONITOR:
         return value_integer(c, text, 0, 63, &o->monitor);
     case OPTION_FULLSCREEN:

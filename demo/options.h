@@ -21,6 +21,7 @@ enum show_mode {
     SHOW_VIEWS,
     SHOW_PREVIEW_EYE,
     SHOW_PREVIEW_OUTSIDE,
+    SHOW_MAP,
 };
 
 enum scene_kind { SCENE_CUBE = 0, SCENE_DIRECTIONS, SCENE_SCREEN, SCENE_FOREST };
@@ -93,7 +94,8 @@ struct options {
     bool headless;
     int frames; /* 0: not given */
     const char *output;
-    const char *stats; /* "-": stdout */
+    const char *stats;  /* "-": stdout */
+    const char *report; /* likewise */
 
     int monitor; /* -1: not given */
     bool fullscreen;

@@ -220,7 +220,8 @@ int options_rig(const struct options *options, struct cupola_rig *rig, char *mes
 
 void options_notice(const struct options *options, const struct cupola_rig *rig)
 {
-    bool shows_one = options->mode == SHOW_DOME || options->mode == SHOW_PERSPECTIVE;
+    bool shows_one = options->mode == SHOW_DOME || options->mode == SHOW_PERSPECTIVE ||
+                     options->mode == SHOW_MAP;
 
     if (shows_one && rig->output_count > 1 && options->show_output < 0)
         fprintf(stderr,

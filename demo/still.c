@@ -162,7 +162,9 @@ const char *still_default_path(const struct options *options)
 int still_run(const struct options *options, const struct show_setup *setup, char *message)
 {
     struct still still = {.rig = setup->rig, .numbered = film_output_is_numbered(options)};
-    FILE *news = options->stats && strcmp(options->stats, "-") == 0 ? stderr : stdout;
+    bool stdout_taken = (options->stats && strcmp(options->stats, "-") == 0) ||
+                        (options->report && strcmp(options->report, "-") == 0);
+    FILE *news = stdout_taken ? stderr : stdout;
     const char *path = options->output;
     int status;
 

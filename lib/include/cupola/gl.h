@@ -27,7 +27,8 @@
  * they answer CUPOLA_ERROR_LOST, now and ever after: destroy the cupola_gl and make another.
  *
  * GL errors that are pending when cupola_gl_create, cupola_gl_points or cupola_gl_density (as they
- * make a texture) or cupola_gl_capture is called are dropped: those calls have to ask for errors of their own.
+ * make a texture) or cupola_gl_capture is called are dropped: those calls have to ask for errors of
+ * their own.
  */
 #ifndef CUPOLA_GL_H
 #define CUPOLA_GL_H
@@ -54,7 +55,8 @@ typedef struct cupola_gl cupola_gl;
  *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, a parameter is not as said above,
  *          sources has a bit that is no kind, samples is not 0 to what this GL has of that format,
  *          the table of coordinates or one pass is wished for the host's textures, one pass without
- *          views, jitters with another table or guard band than gl_params.h says, or the atlas or an output is larger than this GL's textures may be
+ *          views, jitters with another table or guard band than gl_params.h says, or the atlas or an
+ *          output is larger than this GL's textures may be
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
@@ -175,8 +177,8 @@ CUPOLA_API int cupola_gl_set_eye(cupola_gl *gl, const double eye_m[3], struct cu
  * and the texels that are sampled follow, and those stay within the guard band and outside of the
  * masks. Rays leave the moved place of their pixel; where an image circle or the screen's edge cuts
  * a pixel, they are drawn together into the part that is lit, and its coverage is that of the whole
- * pixel. Overlays, gains and the table of cupola_gl_points stay where they are. The plan that gl was
- * made from does not move, nor do cameras of cupola_plan_camera.
+ * pixel. Overlays, gains and the textures of cupola_gl_points and cupola_gl_density stay as they
+ * are. The plan that gl was made from does not move, nor do cameras of cupola_plan_camera.
  *
  * Makes no GL call and allocates nothing.
  *

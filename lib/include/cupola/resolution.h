@@ -87,7 +87,7 @@ struct cupola_resolution {
 
 /*
  * Measures a plan. Up to 2048 x 2048 px, all outputs together, every pixel is asked, and beyond
- * every second one of a row and every second row, and so on. Takes some seconds for so many on one
+ * every second one of a row and every second row, and so on. Takes some 1 s for so many on one
  * core, and 25 bytes a pixel meanwhile.
  *
  * output      index, 0 to the rig's output_count - 1, or -1: all of them together
