@@ -6,6 +6,7 @@
 #include "oracle.h"
 
 struct plan_pixel {
+    int x, y;
     struct cupola_ray ray;
     int in_circle; /* the pixel's middle is: r <= 1 */
     int view;
@@ -49,6 +50,8 @@ static inline void visit_output(const cupola_plan *plan, int index, plan_visitor
         for (int i = 0; i < output->width_px; i++) {
             struct plan_pixel pixel;
             double x = i + 0.5, y = j + 0.5, *to = pixel.jacobian;
+            pixel.x = i;
+            pixel.y = j;
             int lit = cupola_dome_ray(dome, index, NULL, x, y, &pixel.ray);
             check_at_least(lit, 0);
             if (!lit || (step > 1 && (i % step || j % step) && pixel.ray.coverage >= 1.0))
