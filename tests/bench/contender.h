@@ -62,9 +62,11 @@ extern const struct contender_kind contender_filter;
 enum { FILTER_CONTENDERS = 6 };
 int contender_filters(int samples, struct contender contenders[FILTER_CONTENDERS]);
 bool contender_filter_found(const char *name);
+/* Cupola's own choice with the setting's filter whose index the variant is. */
+extern const struct contender_kind contender_listed;
 /*
- * The same planned for a viewer who moves: at rest, having moved, and with another eye before every
- * warp, where what follows from it is timed, too.
+ * A table stage planned for a viewer who moves: at rest, having moved, and with another eye before
+ * every warp, where what follows from it is timed, too.
  */
 extern const struct contender_kind contender_resting;
 extern const struct contender_kind contender_moved;

@@ -170,6 +170,15 @@ static void *filter_prepare(const struct setting *setting, int variant, char *me
     return prepare(setting, &(struct cupola_plan_params){0}, &params, message);
 }
 
+static void *listed_prepare(const struct setting *setting, int variant, char *message)
+{
+    struct cupola_gl_params params = setting->gl;
+
+    params.filter = setting->filters[variant];
+    return prepare(setting, &(struct cupola_plan_params){.density = setting->density}, &params,
+                   message);
+}
+
 static void *head_prepare(const struct setting *setting, int variant, char *message)
 {
     const struct cupola_rig *rig = cupola_dome_rig(setting->dome);
@@ -343,6 +352,11 @@ const struct contender_kind contender_stage = {.prepare = stage_prepare,
                                                .facts = frames_facts,
                                                .release = frames_release};
 const struct contender_kind contender_filter = {.prepare = filter_prepare,
+                                                .views = frames_views,
+                                                .warp = frames_warp,
+                                                .facts = frames_facts,
+                                                .release = frames_release};
+const struct contender_kind contender_listed = {.prepare = listed_prepare,
                                                 .views = frames_views,
                                                 .warp = frames_warp,
                                                 .facts = frames_facts,

@@ -6,6 +6,13 @@
 
 #include "comparison.h"
 
+/* Members of an object, each followed by a comma; what JSON has no number for is null. */
+void json_put_text(FILE *file, const char *name, const char *text);
+void json_put_number(FILE *file, const char *name, double value);
+void json_put_quartiles(FILE *file, const char *name, const struct quartiles *quartiles);
+/* What the figures were measured on; no comma follows. */
+void json_put_machine(FILE *file, enum clock clock);
+
 /* Begins the object. */
 void json_begin(FILE *file, const struct comparison_wishes *wishes, enum clock clock);
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <epoxy/gl.h>
 
@@ -27,12 +28,9 @@ static void place_camera(struct setting *setting, const struct scene *scene)
 {
     double away = 0;
 
-    for (int i = 0; i < 16; i++)
-        setting->host[i] = i % 5 == 0;
-    for (int i = 0; i < 3; i++) {
-        setting->host[12 + i] = (float)-scene->suggested[i];
+    setting_turn(setting, 0);
+    for (int i = 0; i < 3; i++)
         away += pow(scene->suggested[i] - scene->center[i], 2);
-    }
     setting->depth.near_distance = 0.1;
     setting->depth.far_distance = 2 + 1.01 * (sqrt(away) + scene->radius);
 }
@@ -98,6 +96,8 @@ bool setting_create(struct setting *setting, struct scene *scene, char *message)
         rig.eye_m[1] = 0.1;
         rig.eye_m[2] = 0.2;
         output->position_m[1] = -0.2;
+    } else {
+        memcpy(rig.eye_m, setting->viewer_m, sizeof rig.eye_m);
     }
     if (cupola_dome_create(&rig, &setting->dome, &error) < 0) {
         snprintf(message, MESSAGE_SIZE, "%s", error.message);
@@ -133,6 +133,23 @@ struct scene *setting_scene(const struct load *load, char *message)
     if (load->kind == SCENE_DIRECTIONS)
         return scene_directions_create(wishes.way, message, MESSAGE_SIZE);
     return scene_cube_create(&wishes, message, MESSAGE_SIZE);
+}
+
+void setting_turn(struct setting *setting, double yaw_rad)
+{
+    const double *place = setting->scene->suggested, c = cos(yaw_rad), s = sin(yaw_rad);
+    const double rows[3][3] = {{c, 0, -s}, {0, 1, 0}, {s, 0, c}}; /* R_y(-yaw) */
+
+    for (int row = 0; row < 3; row++) {
+        double moved = 0;
+        for (int k = 0; k < 3; k++) {
+            setting->host[4 * k + row] = (float)rows[row][k];
+            moved -= rows[row][k] * place[k];
+        }
+        setting->host[12 + row] = (float)moved;
+        setting->host[4 * row + 3] = 0;
+    }
+    setting->host[15] = 1;
 }
 
 double setting_plain_fov_rad(const struct setting *setting)

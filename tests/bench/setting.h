@@ -28,9 +28,12 @@ struct setting {
     int size_px; /* of the square output */
     enum cupola_lens_model lens;
     double fov_rad;
-    bool off_axis; /* viewer and projector away from the dome's centre */
+    bool off_axis;      /* viewer and projector away from the dome's centre */
+    double viewer_m[3]; /* the viewer alone, where they are not; dome frame, 1 m is the radius */
     struct load load;
-    struct cupola_gl_params gl; /* of Cupola's contenders */
+    struct cupola_gl_params gl;          /* of Cupola's contenders */
+    double density;                      /* of those with a filter, as in plan.h */
+    const struct cupola_filter *filters; /* of contender_listed, by its variant; the caller's */
 
     cupola_dome *dome;
     struct scene *scene; /* the caller's */
@@ -48,6 +51,9 @@ void setting_destroy(struct setting *setting);
 
 /* A load's scene, for one pass, too, where the GL can; NULL with one line in `message`. */
 struct scene *setting_scene(const struct load *load, char *message);
+
+/* Turns the host's camera to the left of where it looks first. */
+void setting_turn(struct setting *setting, double yaw_rad);
 
 /* Fov of the plain view that a dome's frame is compared with: the dome's, at most 140 degrees. */
 double setting_plain_fov_rad(const struct setting *setting);
