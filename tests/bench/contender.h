@@ -42,7 +42,12 @@ struct contender {
 extern const struct contender_kind contender_plain_view;
 /* The same, with nothing drawn. */
 extern const struct contender_kind contender_plain_clear;
-/* A texture of the output's size, drawn over all of it bilinearly. */
+/*
+ * A texture of the output's size, drawn over all of it bilinearly; the same with its rows turned by
+ * 45 degrees against the output's, as a dome's views have theirs; and so turned, but a texture of a
+ * quarter of the side over and over, which stays in the processor's cache.
+ */
+enum blit_variant { BLIT_STRAIGHT, BLIT_TURNED, BLIT_TURNED_SMALL };
 extern const struct contender_kind contender_blit;
 
 /* Cupola with one of these, or as many rotated views as the variant says. */

@@ -78,6 +78,8 @@ static void clear_facts(const void *self, struct contender_facts *facts)
 const struct contender_kind contender_plain_clear = {
     .prepare = plain_prepare, .views = plain_clear, .facts = clear_facts, .release = free};
 
+enum { SMALL_PARTS = 4 }; /* of the output's side that a small picture has one of */
+
 struct blit {
     const struct setting *setting;
     GLuint program;
@@ -100,21 +102,30 @@ static void blit_release(void *self)
 static void *blit_prepare(const struct setting *setting, int variant, char *message)
 {
     struct blit *blit = calloc(1, sizeof *blit);
+    int repeats = variant == BLIT_TURNED_SMALL ? SMALL_PARTS : 1;
+    int side_px = (setting->size_px + repeats - 1) / repeats;
 
-    (void)variant;
     if (!blit) {
         snprintf(message, MESSAGE_SIZE, "out of memory");
         return NULL;
     }
     blit->setting = setting;
     blit->program =
-        program_create("blit", shader_whole_vert, shader_blit_frag, message, MESSAGE_SIZE);
-    if (!blit->program || !target_create(&blit->picture, setting->size_px, setting->size_px,
-                                         TARGET_BYTES, message, MESSAGE_SIZE)) {
+        program_create("blit", variant == BLIT_STRAIGHT ? shader_whole_vert : shader_turned_vert,
+                       shader_blit_frag, message, MESSAGE_SIZE);
+    if (!blit->program ||
+        !target_create(&blit->picture, side_px, side_px, TARGET_BYTES, message, MESSAGE_SIZE)) {
         blit_release(blit);
         return NULL;
     }
+    glUseProgram(blit->program);
+    glUniform1f(glGetUniformLocation(blit->program, "repeats"), (float)repeats);
     glGenVertexArrays(1, &blit->vertex_array);
+    if (variant != BLIT_STRAIGHT) {
+        glBindTexture(GL_TEXTURE_2D, blit->picture.texture);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, blit->picture.framebuffer);
     glClearColor(0.3f, 0.5f, 0.7f, 1);
     glClear(GL_COLOR_BUFFER_BIT);

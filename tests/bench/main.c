@@ -26,7 +26,7 @@ struct bench {
 /* Whole frames: everything that makes a dome's picture, in plain views. */
 static const struct contender frame_contenders[] = {
     {"perspective", &contender_plain_view, 0},
-    {"blit", &contender_blit, 0},
+    {"blit", &contender_blit, BLIT_STRAIGHT},
     {"cupola", &contender_cupola, 0},
     {"cupola-one-pass", &contender_one_pass, CUPOLA_CHOICE},
     {"cupola-unmasked", &contender_cupola, CUPOLA_UNMASKED},
@@ -45,7 +45,7 @@ static const struct contender frame_contenders[] = {
 static const struct contender part_contenders[] = {
     {"perspective", &contender_plain_view, 0},
     {"perspective-clear", &contender_plain_clear, 0},
-    {"blit", &contender_blit, 0},
+    {"blit", &contender_blit, BLIT_STRAIGHT},
     {"cupola", &contender_cupola, 0},
     {"cupola-clear", &contender_cupola_clear, 0},
     {"cupola-views", &contender_cupola_views, 0},
@@ -153,9 +153,12 @@ static bool each_setting(struct bench *bench, family_one *one)
 /* Every stage that the library has, and the passes of the others, in blits. */
 static bool warp_one(struct bench *bench, struct setting *setting)
 {
-    struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, 0}};
+    struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, BLIT_STRAIGHT}};
     int count = 1;
 
+    contenders[count++] = (struct contender){"blit-turned", &contender_blit, BLIT_TURNED};
+    contenders[count++] =
+        (struct contender){"blit-turned-small", &contender_blit, BLIT_TURNED_SMALL};
     for (int i = 0; i < 20 && cupola_table_name(i); i++) {
         struct contender *stage = &contenders[count++];
         *stage = (struct contender){.kind = &contender_stage, .variant = i};
@@ -190,7 +193,7 @@ static bool filters_one(struct bench *bench, struct setting *setting)
 /* Every stage with the viewer at rest, having moved, and moving before every warp. */
 static bool eye_one(struct bench *bench, struct setting *setting)
 {
-    struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, 0}};
+    struct contender contenders[CONTENDERS_MAX] = {{"blit", &contender_blit, BLIT_STRAIGHT}};
     int count = 1;
 
     for (int i = 0; i < 9 && cupola_table_name(i); i++, count += 3) {
@@ -340,7 +343,8 @@ static bool run(struct bench *bench)
 /* Whether a name is that of a contender in any family. */
 static bool is_contender(const char *name)
 {
-    static const char *const others[] = {"clear", "clear-moving"};
+    static const char *const others[] = {"blit-turned", "blit-turned-small", "clear",
+                                         "clear-moving"};
     static const char *const states[] = {"", "-moved", "-moving"};
     int views = 0, length = 0;
 

@@ -165,21 +165,26 @@ def points(family, comparisons):
     return lines
 
 
+def plain(value):
+    """A number as an axis names it: 1 million, not 1e+06."""
+    return f"{value / 1e6:g} million" if value >= 1e6 else f"{value:g}"
+
+
 def plot(family, comparisons, path):
-    axis, logarithmic = AXES[family]
     """Whether there was anything to plot."""
+    axis, logarithmic = AXES[family]
     lines = points(family, comparisons)
     if not lines:
         return False
     values = sorted({x for line in lines.values() for x, _ in line})
     script = ["set terminal pngcairo size 560,340 font 'sans,10'",
               f"set output '{path}'", "set key outside right", "set grid", "set yrange [0:*]",
-              "set autoscale xfix", "set linetype 9 linecolor rgb '#806040'",
+              f"set xrange [{values[0]}:{values[-1]}]", "set linetype 9 linecolor rgb '#806040'",
               f"set xlabel '{axis}'", "set ylabel 'frame / perspective view'"]
     if logarithmic:
         script.append("set logscale x")
         if len(values) <= 8:
-            labels = ", ".join(f"'{value:g}' {value}" for value in values)
+            labels = ", ".join(f"'{plain(value)}' {value}" for value in values)
             script.append(f"set xtics ({labels})")
     script.append("plot " + ", ".join(f"'-' with linespoints title '{name}'" for name in lines))
     for line in lines.values():
