@@ -64,6 +64,8 @@ static void put_trial(struct quality *quality, const char *scene, const struct s
     json_put_number(file, "reference_density", wishes->reference_density);
     json_put_number(file, "change", wishes->steps > 0 ? trial->change : (double)NAN);
     json_put_number(file, "blit_ms", wishes->cost.frames > 0 ? trial->blit_ms : (double)NAN);
+    json_put_number(file, "check_db", wishes->check ? trial->check.psnr_db : (double)NAN);
+    json_put_number(file, "check_moved_db", wishes->check ? trial->check.moved_db : (double)NAN);
     fputs("\"methods\": [", file);
     for (int i = 0; i < quality->options.method_count; i++) {
         fputs(i ? "," : "", file);

@@ -37,6 +37,8 @@ static const char help[] =
     "  --pictures FOLDER    writes the pictures, a file for each method\n"
     "  --cut-out X,Y,SIDE,SCALE  of them a square of SIDE px round a place, parts of the width\n"
     "                       and height, each pixel enlarged to SCALE px (all of it)\n"
+    "  --check              also compares the reference with one that is found otherwise, which\n"
+    "                       is for scenes that do not change within a pixel\n"
     "  --output FILE        JSON (stdout)\n"
     "  --help               this\n";
 
@@ -59,6 +61,7 @@ enum wish {
     OPTION_MODEL,
     OPTION_PICTURES,
     OPTION_CUT_OUT,
+    OPTION_CHECK,
     OPTION_OUTPUT,
     OPTION_HELP
 };
@@ -82,6 +85,7 @@ static const struct option long_options[] = {
     {"model", required_argument, NULL, OPTION_MODEL},
     {"pictures", required_argument, NULL, OPTION_PICTURES},
     {"cut-out", required_argument, NULL, OPTION_CUT_OUT},
+    {"check", no_argument, NULL, OPTION_CHECK},
     {"output", required_argument, NULL, OPTION_OUTPUT},
     {"help", no_argument, NULL, OPTION_HELP},
     {0}};
@@ -276,6 +280,9 @@ static bool take(struct quality_options *options, int option, char *value)
         return true;
     case OPTION_CUT_OUT:
         return take_cut_out(value, &trial->cut_out);
+    case OPTION_CHECK:
+        trial->check = true;
+        return true;
     case OPTION_OUTPUT:
         options->output = value;
         return true;

@@ -10,6 +10,7 @@
 
 #include "cut_out.h"
 #include "frame.h"
+#include "srgb.h"
 
 /* A method that is being judged. */
 struct judged {
@@ -130,13 +131,6 @@ static bool court_create(struct court *court, char *message)
     return court->truth;
 }
 
-static double encoded(double light)
-{
-    double bounded = fmin(fmax(light, 0), 1);
-
-    return 255 * (bounded <= 0.0031308 ? 12.92 * bounded : 1.055 * pow(bounded, 1 / 2.4) - 0.055);
-}
-
 static bool draw_truth(struct court *court, int rays, char *message)
 {
     float *before = court->wished;
@@ -146,7 +140,7 @@ static bool draw_truth(struct court *court, int rays, char *message)
     if (!truth_draw(court->truth, rays, court->wished, message))
         return false;
     for (size_t i = 0; i < 3 * court->pixels; i++) {
-        court->wished[i] = (float)encoded((double)court->wished[i]);
+        court->wished[i] = (float)(255 * light_encoded(fmin((double)court->wished[i], 1)));
         court->wished_bytes[i] = (unsigned char)lround((double)court->wished[i]);
     }
     return true;
@@ -280,6 +274,8 @@ bool trial_run(struct setting *setting, const char *name, const struct method *m
     *trial = (struct trial){.pixels = 0};
     bool done = court_create(&court, message) && turn_camera(&court, trial, message);
     court_destroy(&court);
+    done = done && (!wishes->check || truth_check_run(setting, wishes->reference_density,
+                                                      wishes->rays, &trial->check, message));
     return done &&
            (wishes->cost.frames == 0 || measure(setting, methods, count, wishes, trial, message));
 }

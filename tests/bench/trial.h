@@ -9,6 +9,7 @@
 #include "method.h"
 #include "similarity.h"
 #include "truth.h"
+#include "truth_check.h"
 
 /* A square part of pictures, to be written as files. */
 struct cut_out {
@@ -26,6 +27,7 @@ struct trial_wishes {
     double yaw_rad;
     struct comparison_wishes cost; /* no frames: not measured */
     struct cut_out cut_out;
+    bool check; /* the truth, too */
 };
 
 struct verdict {
@@ -47,6 +49,7 @@ struct trial {
     double pixels; /* that count: r < 1 */
     double change;
     double blit_ms;
+    struct truth_check check; /* all zero where it is not wished */
 };
 
 /* The first method is what whole frames are measured in. False with one line in `message`. */
