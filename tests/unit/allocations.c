@@ -18,6 +18,7 @@
 #include "check.h"
 #include "cupola/image_file.h"
 #include "cupola/plan.h"
+#include "cupola/reference.h"
 #include "cupola/resolution.h"
 #include "cupola/rig_file.h"
 #include "folder.h"
@@ -140,6 +141,24 @@ static int create_usual_plan(const char *path, struct cupola_error *error)
 
 static cupola_plan *measured_plan;
 
+/* Has no message of its own. */
+static int warp_in_c(const char *path, struct cupola_error *error)
+{
+    (void)path;
+    enum { TEXELS_MAX = 128 * 128 };
+    static float atlas[4 * TEXELS_MAX], image[4 * 24 * 24];
+    const struct cupola_plan_report *report = cupola_plan_report(measured_plan);
+    assert_true(report->atlas_width_px * report->atlas_height_px <= TEXELS_MAX);
+    for (int i = 0; i < 4 * 24 * 24; i++)
+        image[i] = 7.0f;
+    int status = cupola_reference_filter(measured_plan, 0, NULL, atlas, NULL, image);
+    error->status = (enum cupola_status)status;
+    snprintf(error->message, sizeof error->message, "%s", cupola_status_text(status));
+    for (int i = 0; i < 4 * 24 * 24 && status != CUPOLA_OK; i++)
+        assert_true(image[i] == 7.0f);
+    return status;
+}
+
 static int measure_resolution(const char *path, struct cupola_error *error)
 {
     (void)path;
@@ -215,6 +234,7 @@ static void domes_and_plans_survive(void **state)
     check_at_least(try_each_allocation(create_usual_plan, NULL), 10);
     assert_int_equal(cupola_plan_create(dome, NULL, &measured_plan, NULL), CUPOLA_OK);
     check_at_least(try_each_allocation(measure_resolution, NULL), 7);
+    check_at_least(try_each_allocation(warp_in_c, NULL), 1);
     cupola_plan_destroy(&measured_plan);
 }
 
