@@ -55,14 +55,14 @@ vec3 filter_long_axis(mat2 jacobian)
 #if FILTER == FILTER_FOOTPRINT
 int filter_footprint_count(vec3 axis)
 {
-    return int(clamp(ceil(axis.z), 1.0, float(FOOTPRINT_RAYS)));
+    return int(clamp(ceil(axis.z + FOOTPRINT_MORE), 1.0, float(FOOTPRINT_RAYS)));
 }
 
 // From a ray to the next, px.
 vec2 filter_footprint_pitch(vec3 axis, int count)
 {
     float square = float(count * count - 1);
-    return count > 1 ? axis.xy * (sqrt((axis.z * axis.z - FOOTPRINT_BLUR) / square) / axis.z)
+    return count > 1 ? axis.xy * (sqrt(max(axis.z * axis.z - FOOTPRINT_BLUR, 0.0) / square) / axis.z)
                      : vec2(0.0);
 }
 #endif

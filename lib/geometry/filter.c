@@ -161,9 +161,9 @@ int filter_footprint(const double jacobian[4], int samples, struct filter_place 
 {
     double axis[2], s = filter_long_axis(jacobian, axis), pitch = 0;
     int most = samples < FOOTPRINT_RAYS_MAX ? samples : FOOTPRINT_RAYS_MAX;
-    int count = count_for(s, most);
+    int count = count_for(s + FOOTPRINT_MORE, most);
     if (count > 1)
-        pitch = sqrt((s * s - FOOTPRINT_BLUR) / (count * count - 1)) / s;
+        pitch = sqrt(fmax(s * s - FOOTPRINT_BLUR, 0) / (count * count - 1)) / s;
     for (int k = 0; k < count; k++) {
         double along = (k - 0.5 * (count - 1)) * pitch;
         places[k] = (struct filter_place){along * axis[0], along * axis[1], 1.0 / count};

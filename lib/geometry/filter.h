@@ -55,12 +55,13 @@ void filter_adaptive_places(const struct pattern *aligned, const double axis[2],
                             const double turn[2], struct filter_place *places);
 
 /*
- * Places of the method footprint, of equal weight along the long axis. N = s rounded up, 1 to
- * samples, at most FOOTPRINT_RAYS_MAX; their distance from each other, in texels, is
- * sqrt((s^2 - FOOTPRINT_BLUR) / (N^2 - 1)), divided by s in pixels; place k is
+ * Places of the method footprint, of equal weight along the long axis. N = s + FOOTPRINT_MORE,
+ * rounded up, 1 to samples, at most FOOTPRINT_RAYS_MAX; their distance from each other, in texels,
+ * is sqrt((s^2 - FOOTPRINT_BLUR) / (N^2 - 1)), at least 0, divided by s in pixels; place k is
  * axis (k - (N - 1) / 2) times that. Returns N.
  */
 #define FOOTPRINT_BLUR 0.6
+#define FOOTPRINT_MORE 0.4
 int filter_footprint(const double jacobian[4], int samples, struct filter_place *places);
 
 /* Places of the method cone, turned by (cosine, sine) first. */

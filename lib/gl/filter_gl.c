@@ -59,13 +59,14 @@ void filter_lines(const struct cupola_gl_params *params, char lines[FILTER_LINES
              "#define FILTER %d\n#define FILTER_SEED %" PRIu32 "u\n#define RAYS %d\n"
              "#define TEXELS %d\n#define SAMPLES %d\n#define FOOTPRINT_RAYS %d\n"
              "#define METRIC %d\n#define TURNED %d\n#define UNROLLED %d\n"
-             "#define FOOTPRINT_BLUR (%d.0 / 1000.0)\n",
+             "#define FOOTPRINT_BLUR (%d.0 / 1000.0)\n#define FOOTPRINT_MORE (%d.0 / 1000.0)\n",
              CUPOLA_ANTIALIASING_CONE, CUPOLA_ANTIALIASING_ADAPTIVE, CUPOLA_ANTIALIASING_FOOTPRINT,
              (int)filter->method, filter->seed, filter_sends_rays(filter), texels_of_ray(filter),
              filter->samples,
              filter->samples < FOOTPRINT_RAYS_MAX ? filter->samples : FOOTPRINT_RAYS_MAX,
              filter->method == CUPOLA_ANTIALIASING_CONE, filter->turned && has_patterns(filter),
-             filter->samples <= UNROLLED_MAX, (int)(1000 * FOOTPRINT_BLUR + 0.5));
+             filter->samples <= UNROLLED_MAX, (int)(1000 * FOOTPRINT_BLUR + 0.5),
+             (int)(1000 * FOOTPRINT_MORE + 0.5));
 }
 
 /* A text that has room for all that is added. */

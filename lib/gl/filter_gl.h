@@ -19,7 +19,7 @@ bool filter_sends_rays(const struct cupola_filter *filter);
 double filter_reach_px(const struct cupola_filter *filter);
 
 /* What images.glsl, light.glsl, filter.glsl and tile.vert want to know of a complete filter. */
-enum { FILTER_LINES_MAX = 480 };
+enum { FILTER_LINES_MAX = 560 };
 void filter_lines(const struct cupola_gl_params *params, char lines[FILTER_LINES_MAX]);
 
 /* The places of rays, as filter.glsl wants them; freed by the caller. NULL: no memory. */

@@ -168,13 +168,13 @@ static void compare_footprint(const cupola_plan *plan, const struct plan_pixel *
     if (!counts(plan, pixel))
         return;
     double texels = visit->slip * longest(pixel->jacobian);
-    if (fabs(texels - rint(texels)) < 1e-4)
+    if (fabs(texels + 0.4 - rint(texels + 0.4)) < 1e-4)
         return;
-    int wished = (int)fmin(fmax(ceil(texels), 1.0), 8.0);
+    int wished = (int)fmin(fmax(ceil(texels + 0.4), 1.0), 8.0);
     int count = rays_at(visit->filter, plan, pixel->x, pixel->y, rays);
     visit->worst = fmax(visit->worst, abs(count - wished));
-    if (count == wished && count > 1) {
-        double variance = (texels * texels - 0.6) / 12.0;
+    if (count == wished && count > 1 && texels > 0.8) {
+        double variance = fmax(texels * texels - 0.6, 1e-3) / 12.0;
         visit->worst =
             fmax(visit->worst, fabs(variance_of(pixel->jacobian, rays, count) / variance - 1.0));
     }

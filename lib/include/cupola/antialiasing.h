@@ -35,8 +35,8 @@ enum cupola_antialiasing {
      * one. Where they are so few the cone is as long and as wide as the pixel, not round, and the
      * pattern lies along the long axis of the texels that it covers. */
     CUPOLA_ANTIALIASING_ADAPTIVE,
-    /* Rays of equal weight along the long axis of the ellipse of texels that a pixel covers, as
-     * many as it is long in texels, at most 8; so far apart that together with the blur of the
+    /* Rays of equal weight along the long axis of the ellipse of texels that a pixel covers, about
+     * as many as it is long in texels, at most 8; so far apart that together with the blur of the
      * bilinear taps they are as wide as the pixel. */
     CUPOLA_ANTIALIASING_FOOTPRINT,
 };
