@@ -2,10 +2,9 @@
 // says the same under the same names. FILTER is FILTER_CONE, FILTER_ADAPTIVE or FILTER_FOOTPRINT,
 // SAMPLES the number of rays, or the most of them. RIM: rays are kept within the image circle.
 //
-// Before this stand the places of rays as literals: a software rasteriser reads arrays that are
-// indexed by what varies anew for every pixel. RAYS_n(RAY) is RAY(x, y, weight) for each ray of a
-// pattern of n, and EACH_RAYS(ONE) is ONE(n, RAYS_n) for each n; where UNROLLED is 0 they are too
-// many for that, and stand in an array.
+// Before this stand the places of rays as literals: EACH_PLACE(RAY) is RAY(x, y, weight) for each
+// of them. Where UNROLLED is 0 they are too many for that, or their number varies, and they stand
+// in an array, one pattern after the other; PAIR_PLACE is the first place of a pattern of two.
 
 #if RAYS
 // What a ray shows: of the program that includes this. Rays are those of its own space: any in
@@ -27,53 +26,64 @@ vec3 cone_metric(Varying ray, Varying same)
 mat2 filter_cone(vec3 metric)
 {
     float root = sqrt(max(metric.x * metric.z - metric.y * metric.y, 0.0));
-    if (!(root > 0.0))
-        return mat2(0.0);
-    float radius = inversesqrt(3.14159265 * root), length = inversesqrt(metric.x);
-    return mat2(radius * root * length, 0.0, -radius * metric.y * length,
-                radius * metric.x * length);
+    float scale = root > 0.0 ? inversesqrt(3.14159265 * root * metric.x) : 0.0;
+    return mat2(scale * root, 0.0, -scale * metric.y, scale * metric.x);
 }
 
-int filter_adaptive_count(mat2 jacobian)
+int filter_adaptive_count(Jacobian jacobian)
 {
-    float covered = abs(jacobian[0].x * jacobian[1].y - jacobian[1].x * jacobian[0].y);
-    return int(clamp(ceil(covered - 1e-3), 1.0, float(SAMPLES)));
+    mat2 change = jacobian.change;
+    float covered = abs(change[0].x * change[1].y - change[1].x * change[0].y);
+    float one = jacobian.unit * jacobian.unit, slack = 1e-3 * one;
+#if SAMPLES <= 8
+    int count = 1;
+    for (int i = 1; i < SAMPLES; i++)
+        count += covered > float(i) * one + slack ? 1 : 0;
+    return count;
+#else
+    return int(clamp(ceil((covered - slack) / one), 1.0, float(SAMPLES)));
+#endif
 }
 
-// In xy the direction of the larger singular value, which is z.
-vec3 filter_long_axis(mat2 jacobian)
+// In xy the direction of the larger singular value, of no unit's length; the square of the length;
+// and the square of that value, times the unit's.
+vec4 filter_long_axis(Jacobian jacobian)
 {
-    float xx = dot(jacobian[0], jacobian[0]), xy = dot(jacobian[0], jacobian[1]);
-    float yy = dot(jacobian[1], jacobian[1]);
+    vec2 dx = jacobian.change[0], dy = jacobian.change[1];
+    float xx = dot(dx, dx), xy = dot(dx, dy), yy = dot(dy, dy);
     float apart = 0.5 * (xx - yy), root = sqrt(apart * apart + xy * xy);
-    vec2 axis = apart < 0.0 ? vec2(xy, root - apart) : vec2(apart + root, xy);
-    float square = dot(axis, axis);
-    axis = square > 0.0 ? axis * inversesqrt(square) : vec2(1.0, 0.0);
-    return vec3(axis, sqrt(0.5 * (xx + yy) + root));
+    // Where no direction is the longest, x.
+    float least = 1e-15 * (xx + yy), outer = root + abs(apart) + least;
+    vec2 axis = apart < 0.0 ? vec2(xy, outer) : vec2(outer, xy);
+    return vec4(axis, outer * outer + xy * xy, 0.5 * (xx + yy) + root);
 }
 
 #if FILTER == FILTER_FOOTPRINT
-int filter_footprint_count(vec3 axis)
+int filter_footprint_count(vec4 axis, float unit)
 {
-    return int(clamp(ceil(axis.z + FOOTPRINT_MORE), 1.0, float(FOOTPRINT_RAYS)));
+    float one = unit * unit;
+    int count = 1;
+    for (int i = 1; i < FOOTPRINT_RAYS; i++)
+        count += axis.w > (float(i) - FOOTPRINT_MORE) * (float(i) - FOOTPRINT_MORE) * one ? 1 : 0;
+    return count;
 }
 
 // From a ray to the next, px.
-vec2 filter_footprint_pitch(vec3 axis, int count)
+vec2 filter_footprint_pitch(vec4 axis, float unit, int count)
 {
-    float square = float(count * count - 1);
-    return count > 1 ? axis.xy * (sqrt(max(axis.z * axis.z - FOOTPRINT_BLUR, 0.0) / square) / axis.z)
-                     : vec2(0.0);
+    float most = float(count * count - 1) * axis.w * axis.z;
+    float square = max(axis.w - FOOTPRINT_BLUR * unit * unit, 0.0) / most;
+    return count > 1 ? axis.xy * sqrt(square) : vec2(0.0);
 }
 #endif
 
 // What part of a pixel each ray stands for.
-mat2 ray_part(mat2 jacobian)
+mat2 ray_part(Jacobian jacobian)
 {
 #if FILTER == FILTER_FOOTPRINT
-    vec3 axis = filter_long_axis(jacobian);
-    float part = 1.0 / float(filter_footprint_count(axis));
-    return mat2(1.0) - (1.0 - part) * outerProduct(axis.xy, axis.xy);
+    vec4 axis = filter_long_axis(jacobian);
+    float part = 1.0 / float(filter_footprint_count(axis, jacobian.unit));
+    return mat2(1.0) - (1.0 - part) / axis.z * outerProduct(axis.xy, axis.xy);
 #elif FILTER == FILTER_ADAPTIVE
     return mat2(inversesqrt(float(filter_adaptive_count(jacobian))));
 #else
@@ -112,35 +122,41 @@ vec4 place_light(Rays rays, vec2 place)
 }
 
 #define ADD_RAY(x, y, weight) light += weight * place_light(rays, vec2(x, y));
-#define ADD_RAYS(number, rays_of)                                                                  \
-    if (count == number) {                                                                         \
-        rays_of(ADD_RAY)                                                                           \
-    }
+#define ADD_PLACE(place) ADD_RAY(place.x, place.y, place.z)
 
+// Where views are as fine as they have to be and no finer, nearly all pixels have one ray or two,
+// which lie across the middle from each other. A software rasteriser goes through whatever an `if`
+// excludes, but not through loops that no pixel of a group enters.
 #if FILTER == FILTER_FOOTPRINT
 vec4 rays_sum(Rays rays, int count)
 {
-    vec4 light = vec4(0.0);
-    float part = 1.0 / float(count), middle = 0.5 * float(count - 1);
-    for (int i = 0; i < count; i++)
-        ADD_RAY(float(i) - middle, 0.0, part)
+    float part = 1.0 / float(max(count, 2)), end = 0.5 * float(count - 1);
+    vec4 light = part * (place_light(rays, vec2(end, 0.0)) + place_light(rays, vec2(-end, 0.0)));
+    for (int i = 1; i < count - 1; i++)
+        ADD_RAY(float(i) - end, 0.0, part)
     return light;
 }
-#elif UNROLLED
+#elif FILTER == FILTER_ADAPTIVE
 vec4 rays_sum(Rays rays, int count)
 {
-    vec4 light = vec4(0.0);
-    EACH_RAYS(ADD_RAYS)
+    vec2 end = count > 1 ? PAIR_PLACE : vec2(0.0);
+    vec4 light = 0.5 * (place_light(rays, end) + place_light(rays, -end));
+    int first = count * (count - 1) / 2, most = count > 2 ? count : 0;
+    light = most > 0 ? vec4(0.0) : light;
+    for (int i = 0; i < most; i++)
+        ADD_PLACE(pattern_places[first + i])
     return light;
 }
 #else
 vec4 rays_sum(Rays rays, int count)
 {
     vec4 light = vec4(0.0);
-    int first = FILTER == FILTER_ADAPTIVE ? count * (count - 1) / 2 : 0;
+#if UNROLLED
+    EACH_PLACE(ADD_RAY)
+#else
     for (int i = 0; i < count; i++)
-        ADD_RAY(pattern_places[first + i].x, pattern_places[first + i].y,
-                pattern_places[first + i].z)
+        ADD_PLACE(pattern_places[i])
+#endif
     return light;
 }
 #endif
@@ -156,16 +172,18 @@ mat2 pattern_turn(vec2 pixel)
 
 // `same` as above; texels per pixel; the pixel, px in the output's image; and its place in the
 // image circle.
-vec4 rays_light(Varying ray, Varying same, mat2 jacobian, vec2 pixel, vec2 place)
+vec4 rays_light(Varying ray, Varying same, Jacobian jacobian, vec2 pixel, vec2 place)
 {
 #if FILTER == FILTER_FOOTPRINT
-    vec3 axis = filter_long_axis(jacobian);
-    int count = filter_footprint_count(axis);
-    return rays_sum(Rays(ray, mat2(filter_footprint_pitch(axis, count), 0.0, 0.0), place), count);
+    vec4 axis = filter_long_axis(jacobian);
+    int count = filter_footprint_count(axis, jacobian.unit);
+    vec2 pitch = filter_footprint_pitch(axis, jacobian.unit, count);
+    return rays_sum(Rays(ray, mat2(pitch, 0.0, 0.0), place), count);
 #else
 #if FILTER == FILTER_ADAPTIVE
     int count = filter_adaptive_count(jacobian);
-    vec2 axis = 0.564189584 * filter_long_axis(jacobian).xy;
+    vec4 longest = filter_long_axis(jacobian);
+    vec2 axis = longest.xy * inversesqrt(3.14159265 * longest.z);
     mat2 shape = mat2(axis, -axis.y, axis.x);
 #else
     const int count = SAMPLES;

@@ -22,7 +22,7 @@ vec3 face_turn(vec3 along, vec3 direction)
                                               : direction.xyz;
 }
 
-mat2 picture_jacobian(Varying direction)
+Jacobian picture_jacobian(Varying direction)
 {
     vec3 at = direction.at;
     return hit_jacobian(
@@ -62,12 +62,12 @@ float picture_place(Varying direction, out Place place)
 #endif
 }
 
-mat2 picture_jacobian(Varying direction)
+Jacobian picture_jacobian(Varying direction)
 {
     Place place;
     picture_place(direction, place);
     vec2 size = vec2(textureSize(picture, 0));
-    return mat2(size * place.dx, size * place.dy);
+    return Jacobian(mat2(size * place.dx, size * place.dy), 1.0);
 }
 
 vec4 direction_light(Varying direction)
@@ -100,7 +100,8 @@ vec4 ray_light(vec3 ray)
 
 vec4 pixel_light(vec2 pixel, Varying point, Varying direction)
 {
-    mat2 jacobian = picture_jacobian(direction), part = ray_part(jacobian);
+    Jacobian jacobian = picture_jacobian(direction);
+    mat2 part = ray_part(jacobian);
     Varying ray = Varying(point.at - eye, point.dx, point.dy);
     part_dx = part[0].x * direction.dx + part[0].y * direction.dy;
     part_dy = part[1].x * direction.dx + part[1].y * direction.dy;

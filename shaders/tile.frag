@@ -51,17 +51,19 @@ vec4 ray_light(vec3 ray)
 }
 
 #if RAYS
+// The same, and its changes.
 Varying tile_varying(vec2 p)
 {
-    vec3 dx = terms[1].xyz + p.x * (2.0 * terms[3].xyz + 3.0 * p.x * terms[6].xyz) +
-              p.y * (terms[4].xyz + 2.0 * p.x * terms[7].xyz + p.y * terms[8].xyz);
-    vec3 dy = terms[2].xyz + p.x * (terms[4].xyz + p.x * terms[7].xyz) +
-              p.y * (2.0 * terms[5].xyz + 2.0 * p.x * terms[8].xyz + 3.0 * p.y * terms[9].xyz);
-    return Varying(tile_vector(p), dx, dy);
+    vec3 xxx = p.x * terms[6].xyz, xx = terms[3].xyz + xxx, xy = terms[4].xyz + p.x * terms[7].xyz;
+    vec3 yyy = p.y * terms[9].xyz, yy = terms[5].xyz + p.x * terms[8].xyz + yyy;
+    vec3 x = terms[1].xyz + p.x * xx, y = terms[2].xyz + p.x * xy;
+    return Varying(terms[0].xyz + p.x * x + p.y * (y + p.y * yy),
+                   x + p.x * (xx + xxx) + p.y * (xy + p.x * terms[7].xyz + p.y * terms[8].xyz),
+                   y + p.y * (yy + yy + yyy));
 }
 
 #if TILE_KIND == TILE_CHOOSING
-mat2 tile_jacobian(Varying ray)
+Jacobian tile_jacobian(Varying ray)
 {
     return view_jacobian(ray);
 }
@@ -71,7 +73,7 @@ Varying tile_same(Varying ray)
     return ray;
 }
 #else
-mat2 tile_jacobian(Varying ray)
+Jacobian tile_jacobian(Varying ray)
 {
     int view = int(middle.z);
 #if TILE_KIND == TILE_PAIR

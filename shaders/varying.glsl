@@ -5,11 +5,17 @@ struct Varying {
     vec3 dy;
 };
 
-// Texels per pixel: columns for x and y. `hit` is homogeneous: the first two by the third are a
-// place, in units of so many texels.
-mat2 hit_jacobian(Varying hit, vec2 texels)
+// Texels per pixel, times a unit: columns for x and y. To divide costs more than to carry the unit
+// along.
+struct Jacobian {
+    mat2 change;
+    float unit;
+};
+
+// `hit` is homogeneous: the first two by the third are a place, in units of so many texels.
+Jacobian hit_jacobian(Varying hit, vec2 texels)
 {
-    float nearness = 1.0 / hit.at.z;
-    vec2 place = nearness * hit.at.xy, scale = nearness * texels;
-    return mat2(scale * (hit.dx.xy - place * hit.dx.z), scale * (hit.dy.xy - place * hit.dy.z));
+    vec2 scale = hit.at.z * texels, place = texels * hit.at.xy;
+    return Jacobian(mat2(scale * hit.dx.xy - place * hit.dx.z, scale * hit.dy.xy - place * hit.dy.z),
+                    hit.at.z * hit.at.z);
 }

@@ -69,7 +69,7 @@ vec2 atlas_place(vec3 ray)
 #endif
 
 // Texels per pixel where a ray meets its view: filter_jacobian in lib/geometry/filter.c.
-mat2 view_jacobian(Varying ray)
+Jacobian view_jacobian(Varying ray)
 {
     int view = view_select(ray.at);
     mat3 turn = view_rotation[view];

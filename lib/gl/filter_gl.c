@@ -44,6 +44,11 @@ static bool has_patterns(const struct cupola_filter *filter)
            filter->method == CUPOLA_ANTIALIASING_ADAPTIVE;
 }
 
+static bool is_unrolled(const struct cupola_filter *filter)
+{
+    return filter->method == CUPOLA_ANTIALIASING_CONE && filter->samples <= UNROLLED_MAX;
+}
+
 static int texels_of_ray(const struct cupola_filter *filter)
 {
     if (filter->method == CUPOLA_ANTIALIASING_NONE)
@@ -65,7 +70,7 @@ void filter_lines(const struct cupola_gl_params *params, char lines[FILTER_LINES
              filter->samples,
              filter->samples < FOOTPRINT_RAYS_MAX ? filter->samples : FOOTPRINT_RAYS_MAX,
              filter->method == CUPOLA_ANTIALIASING_CONE, filter->turned && has_patterns(filter),
-             filter->samples <= UNROLLED_MAX, (int)(1000 * FOOTPRINT_BLUR + 0.5),
+             is_unrolled(filter), (int)(1000 * FOOTPRINT_BLUR + 0.5),
              (int)(1000 * FOOTPRINT_MORE + 0.5));
 }
 
@@ -83,39 +88,46 @@ static void add(struct text *text, const char *words)
 }
 
 /* With a point, whatever the host's locale has. */
+static void add_numbers(struct text *text, const double *numbers, int count)
+{
+    for (int i = 0; i < count; i++) {
+        char digits[32];
+        snprintf(digits, sizeof digits, "%.8e", numbers[i]);
+        digits[digits[0] == '-' ? 2 : 1] = '.';
+        add(text, i ? ", " : "(");
+        add(text, digits);
+    }
+    add(text, ")");
+}
+
 static void add_place(struct text *text, const char *before, const struct pattern_place *place,
                       const char *after)
 {
     const double numbers[3] = {place->x, place->y, place->weight};
     add(text, before);
-    for (int i = 0; i < 3; i++) {
-        char digits[32];
-        snprintf(digits, sizeof digits, "%.8e", numbers[i]);
-        digits[digits[0] == '-' ? 2 : 1] = '.';
-        add(text, i ? ", " : "");
-        add(text, digits);
-    }
+    add_numbers(text, numbers, 3);
     add(text, after);
 }
 
-/* Each pattern as a macro, and one of all of them. */
-static void add_macros(struct text *text, const struct cupola_filter *filter, int first, int last)
+/* What most pixels have. */
+static void add_pair(struct text *text, const struct cupola_filter *filter)
 {
-    char words[FRAME_LENGTH];
-    for (int count = first; count <= last; count++) {
-        struct pattern pattern;
-        filter_pattern(filter, count, &pattern);
-        snprintf(words, sizeof words, "#define RAYS_%d(RAY)", count);
-        add(text, words);
-        for (int i = 0; i < count; i++)
-            add_place(text, " RAY(", &pattern.places[i], ")");
-        add(text, "\n");
-    }
-    add(text, "#define EACH_RAYS(ONE)");
-    for (int count = first; count <= last; count++) {
-        snprintf(words, sizeof words, " ONE(%d, RAYS_%d)", count, count);
-        add(text, words);
-    }
+    struct pattern pattern;
+    filter_pattern(filter, 2, &pattern);
+    const double numbers[2] = {pattern.places[0].x, pattern.places[0].y};
+    add(text, "#define PAIR_PLACE vec2");
+    add_numbers(text, numbers, 2);
+    add(text, "\n");
+}
+
+/* A macro that does something with each place. */
+static void add_macro(struct text *text, const struct cupola_filter *filter)
+{
+    struct pattern pattern;
+    filter_pattern(filter, filter->samples, &pattern);
+    add(text, "#define EACH_PLACE(RAY)");
+    for (int i = 0; i < filter->samples; i++)
+        add_place(text, " RAY", &pattern.places[i], "");
     add(text, "\n");
 }
 
@@ -130,8 +142,8 @@ static void add_array(struct text *text, const struct cupola_filter *filter, int
         struct pattern pattern;
         filter_pattern(filter, count, &pattern);
         for (int i = 0; i < count; i++)
-            add_place(text, "vec3(", &pattern.places[i],
-                      count == last && i == count - 1 ? "));\n" : "),\n");
+            add_place(text, "vec3", &pattern.places[i],
+                      count == last && i == count - 1 ? ");\n" : ",\n");
     }
 }
 
@@ -140,13 +152,15 @@ char *filter_places_text(const struct cupola_filter *filter)
     int last = has_patterns(filter) ? filter->samples : 0;
     int first = filter->method == CUPOLA_ANTIALIASING_ADAPTIVE ? 1 : last;
     int places = (last + first) * (last - first + 1) / 2;
-    size_t room = (size_t)places * PLACE_LENGTH + (size_t)(last - first + 2) * FRAME_LENGTH;
+    size_t room = (size_t)places * PLACE_LENGTH + (size_t)(last - first + 4) * FRAME_LENGTH;
     struct text text = {malloc(room), 0};
     if (!text.at)
         return NULL;
     text.at[0] = 0;
-    if (last > 0 && last <= UNROLLED_MAX)
-        add_macros(&text, filter, first, last);
+    if (last > 0)
+        add_pair(&text, filter);
+    if (is_unrolled(filter))
+        add_macro(&text, filter);
     else if (last > 0)
         add_array(&text, filter, first, last);
     return text.at;
