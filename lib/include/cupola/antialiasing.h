@@ -87,6 +87,9 @@ CUPOLA_API int cupola_filter_rays(const struct cupola_filter *filter, const cupo
  * Names as on command lines: none, texture, cone, adaptive, footprint; regular, rotated-grid,
  * blue-noise.
  *
+ * method   of enum cupola_antialiasing
+ * pattern  of enum cupola_pattern
+ * name     as the other function gives it
  * returns  a static string, NULL for a number that is none; the way back: of the enum, or
  *          CUPOLA_ERROR_ARGUMENT, for NULL too
  * thread   any
