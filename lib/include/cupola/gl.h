@@ -55,8 +55,8 @@ typedef struct cupola_gl cupola_gl;
  *          CUPOLA_ERROR_ARGUMENT if plan or gl is NULL, a parameter is not as said above,
  *          sources has a bit that is no kind, samples is not 0 to what this GL has of that format,
  *          the table of coordinates or one pass is wished for the host's textures, one pass without
- *          views, jitters with another table or guard band than gl_params.h says, or the atlas or an
- *          output is larger than this GL's textures may be
+ *          views, jitters with another table or guard band than gl_params.h says, or the atlas or
+ *          an output is larger than this GL's textures may be
  *          CUPOLA_ERROR_CONTEXT if no context is current, or one older than the floor
  *          CUPOLA_ERROR_LOST
  *          CUPOLA_ERROR_MEMORY
