@@ -203,7 +203,7 @@ static void the_image_is_that_of_the_rays(void **state)
             for (int x = (y * 3) % 5; x < SIZE; x += 5) {
                 struct cupola_ray ray;
                 cupola_dome_ray(cupola_plan_dome(plan), 0, NULL, x + 0.5, y + 0.5, &ray);
-                double shown = image[4 * (y * SIZE + x)];
+                double shown = (double)image[4 * (y * SIZE + x)];
                 double expected = expected_at(&filters[i], plan, atlas, x, y, 0.0);
                 double wrong = expected_at(&filters[i], plan, atlas, x, y, 0.01);
                 worst = fmax(worst, fabs(shown - ray.coverage * expected));
