@@ -50,13 +50,16 @@ static bool same_file(const char *a, const char *b)
 bool file_clash_check(const struct options *options, const char *picture, char *message)
 {
     const char *stats = options->stats;
-    char backup[PATH_MAX] = "";
+    char backup[PATH_MAX] = "", part[PATH_MAX] = "";
     const char *save = options->save_rig;
     bool is_stdout = stats && strcmp(stats, "-") == 0;
     bool report_to_stdout = options->report && strcmp(options->report, "-") == 0;
 
     if (save && snprintf(backup, sizeof backup, "%s.bak", save) >= (int)sizeof backup)
         backup[0] = 0;
+    if (options->reference && picture &&
+        snprintf(part, sizeof part, "%s.part", picture) >= (int)sizeof part)
+        part[0] = 0;
     const struct named files[] = {
         {"--rig", options->rig, false},
         {"--lens-table", options->lens_table, false},
@@ -65,6 +68,7 @@ bool file_clash_check(const struct options *options, const char *picture, char *
         {"--save-rig (what was there)", *backup ? backup : NULL, true},
         {"--stats", is_stdout ? NULL : stats, true},
         {"--output", picture, true},
+        {"--reference", *part ? part : NULL, true},
         {"--show", options->show, false},
         {"--report", report_to_stdout ? NULL : options->report, true},
     };

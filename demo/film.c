@@ -169,7 +169,7 @@ struct film *film_create(const struct options *options, char *message)
     film->source = (struct cupola_source){
         .kind = options->show_as,
         .place = options->picture_place,
-        .mipmaps = true,
+        .mipmaps = !options->reference, /* whose rays find all of a pixel */
         .fov_rad = options->picture_fov_rad.value[0],
         .orientation = {options->picture_aim_rad.value[0], options->picture_aim_rad.value[1],
                         options->picture_aim_rad.value[2]},

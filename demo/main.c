@@ -57,7 +57,7 @@ static int run(const struct options *options, const struct show_setup *setup, ch
         !model_trial(options->model, options_scene_wishes(options).shading != SCENE_FLAT, message,
                      MESSAGE_SIZE))
         return STATUS_FAILED;
-    if (!options->headless && !options->output) {
+    if (!options->headless && !options->output && !options->reference) {
         int status = window_run(options, setup, message);
         if (status != WINDOW_NO_DISPLAY || window_wish)
             return status == WINDOW_NO_DISPLAY ? STATUS_FAILED : status;
@@ -82,7 +82,7 @@ int main(int argc, char **argv)
             printf("cupola-demo %s\n", cupola_version());
     } else {
         const char *picture = options.output;
-        if (!picture && options.headless)
+        if (!picture && (options.headless || options.reference))
             picture = still_default_path(&options);
         if (!file_clash_check(&options, picture, message))
             return complain(STATUS_USAGE, message);
@@ -107,7 +107,8 @@ int main(int argc, char **argv)
         setup.source = options.show_as;
         setup.output = options_output(&options);
         setup.picture_of_numbers = options.show && options_is_pfm(options.show);
-        setup.floats = options.output && options_is_pfm(options.output);
+        setup.reference = options.reference > 0;
+        setup.floats = options.output && options_is_pfm(options.output) && !setup.reference;
         status = run(&options, &setup, message);
         if (status != STATUS_OK)
             return complain(status, message);

@@ -108,6 +108,33 @@ static const char *survey_contradiction(const struct options *o)
     return NULL;
 }
 
+/* The same of options about pictures of many frames. */
+static const char *reference_contradiction(const struct options *o)
+{
+    if (!o->reference)
+        return NULL;
+    if (o->mode != SHOW_DOME)
+        return "--reference belongs to the dome's image; allowed: without --perspective, "
+               "--views-only and --preview";
+    if (o->report && !o->output && !o->headless)
+        return "--report alone draws nothing; allowed together with --reference: with --output or "
+               "--headless";
+    if (o->stats)
+        return "--reference and --stats contradict each other; allowed: one of them";
+    if (o->goal_auto)
+        return "--reference contradicts --goal auto, which may choose another plan when it goes "
+               "on; allowed: --goal fill or vertices";
+    if (o->table != CUPOLA_TABLE_TILES && o->table != CUPOLA_TABLE_NONE)
+        return "--reference needs a table of no rays, or one that is chosen the same again; "
+               "allowed: --table tiles or none";
+    if (o->plan.guard_px == 1)
+        return "--reference moves what is sampled of a view; allowed: --guard 2 or more";
+    if (o->frames > 0 && !(o->output && file_pattern_has_number(o->output)))
+        return "--reference and --frames are for many pictures together; allowed: with --output "
+               "and %05d or the like in the name";
+    return NULL;
+}
+
 /* The same of all options. */
 const char *options_contradiction(const struct options *o)
 {
@@ -118,6 +145,8 @@ const char *options_contradiction(const struct options *o)
         problem = eye_contradiction(o);
     if (!problem)
         problem = survey_contradiction(o);
+    if (!problem)
+        problem = reference_contradiction(o);
     if (problem)
         return problem;
     if (o->plan.density > 0 && o->plan.view_size_px > 0)
@@ -131,8 +160,8 @@ const char *options_contradiction(const struct options *o)
                "dome's image, or --preview";
     if (o->lens_k.given && o->lens_table)
         return "--lens-k and --lens-table contradict each other; allowed: one of them";
-    if (window_wish && (o->headless || o->output))
+    if (window_wish && (o->headless || o->output || o->reference))
         return "--monitor, --fullscreen and --swap-interval need a window; allowed: not together "
-               "with --headless or --output";
+               "with --headless, --output or --reference";
     return picture_contradiction(o);
 }

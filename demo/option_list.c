@@ -59,6 +59,7 @@ const struct option option_list[] = {
     {"show-output", required_argument, NULL, OPTION_SHOW_OUTPUT},
     {"headless", no_argument, NULL, OPTION_HEADLESS},
     {"frames", required_argument, NULL, OPTION_FRAMES},
+    {"reference", required_argument, NULL, OPTION_REFERENCE},
     {"output", required_argument, NULL, OPTION_OUTPUT},
     {"stats", required_argument, NULL, OPTION_STATS},
     {"report", required_argument, NULL, OPTION_REPORT},

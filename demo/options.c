@@ -104,6 +104,8 @@ static bool take_place(const struct value_context *c, int code, const char *text
         return o->headless = true;
     case OPTION_FRAMES:
         return value_integer(c, text, 1, BIG, &o->frames);
+    case OPTION_REFERENCE:
+        return value_integer(c, text, 1, BIG, &o->reference);
     case OPTION_OUTPUT:
         return value_output_path(c, text, &o->output);
     case OPTION_STATS:
@@ -330,6 +332,8 @@ int options_parse(int argc, char **argv, struct options *options, char *message)
                                 .show_output = -1,
                                 .monitor = -1,
                                 .swap_interval = -1};
+    options->words = argv + (argc > 0);
+    options->word_count = argc - (argc > 0);
     opterr = 0;
     while ((code = getopt_long(argc, argv, ":h", option_list, &index)) != -1) {
         if (code == 'h') {

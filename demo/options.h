@@ -35,6 +35,9 @@ struct optional {
 };
 
 struct options {
+    char *const *words; /* of the command line, without the program's name */
+    int word_count;
+
     bool help;
     bool version;
 
@@ -92,7 +95,8 @@ struct options {
     int show_output; /* index; -1: not given */
 
     bool headless;
-    int frames; /* 0: not given */
+    int frames;    /* 0: not given */
+    int reference; /* frames of which a picture is the mean; 0: not given */
     const char *output;
     const char *stats;  /* "-": stdout */
     const char *report; /* likewise */

@@ -118,6 +118,12 @@ static const char show_text[] =
     "\nWhere\n"
     "  --headless             no window\n"
     "  --frames N             draws N frames and ends\n"
+    "  --reference N          the mean of N frames, whose samples lie beside the middles of "
+    "pixels\n"
+    "                         and of the views' texels: 64 are good, 256 hardly differ from more;\n"
+    "                         for each picture of a sequence. No window. FILE.part beside the\n"
+    "                         picture holds what is done: the same command goes on after SIGINT,\n"
+    "                         SIGTERM or whatever else ended it\n"
     "  --output FILE          FILE.png or FILE.pfm (floats); no window; of a sequence with %05d\n"
     "                         or the like in the name: a file for each picture, of the same\n"
     "                         number; --frames then says how many. With --eye-circle likewise:\n"
@@ -134,7 +140,8 @@ static const char show_text[] =
     "  --fullscreen           and fills it\n"
     "  --swap-interval N      of the window, 0 to 60; default 1\n"
     "  -h, --help, --version\n"
-    "\nExit status: 0; 1 for failures; 2 for wrong options.\n";
+    "\nExit status: 0; 1 for failures; 2 for wrong options; 3 for a --reference that was\n"
+    "interrupted.\n";
 
 void options_print_help(void)
 {

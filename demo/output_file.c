@@ -40,27 +40,34 @@ bool output_file_check(const char *option, const char *path, char *message)
     return problem == 0;
 }
 
+bool output_file_write(const char *path, const float *rgba, int width, int height, char *message)
+{
+    struct cupola_error error = {0};
+    int status = options_is_pfm(path) ? cupola_pfm_write(path, rgba, width, height, &error)
+                                      : cupola_png_write(path, rgba, width, height, &error);
+
+    if (status < 0)
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    return status >= 0;
+}
+
 bool output_file_capture(const char *path, unsigned int framebuffer, int width, int height,
                          char *message)
 {
     struct cupola_error error = {0};
     struct cupola_target target = {.framebuffer = framebuffer};
     float *rgba = malloc((size_t)width * (size_t)height * 4 * sizeof *rgba);
-    int status;
+    bool written;
 
     if (!rgba) {
         snprintf(message, MESSAGE_SIZE, "%s: out of memory for %dx%d pixels", short_path(path).text,
                  width, height);
         return false;
     }
-    status = cupola_gl_capture(&target, width, height, rgba, &error);
-    if (status >= 0 && options_is_pfm(path))
-        status = cupola_pfm_write(path, rgba, width, height, &error);
-    else if (status >= 0)
-        status = cupola_png_write(path, rgba, width, height, &error);
+    written = cupola_gl_capture(&target, width, height, rgba, &error) >= 0;
+    if (!written)
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    written = written && output_file_write(path, rgba, width, height, message);
     free(rgba);
-    if (status >= 0)
-        return true;
-    snprintf(message, MESSAGE_SIZE, "%s", error.message);
-    return false;
+    return written;
 }

@@ -17,5 +17,7 @@ bool output_file_check(const char *option, const char *path, char *message);
  */
 bool output_file_capture(const char *path, unsigned int framebuffer, int width, int height,
                          char *message);
+/* The same with RGBA floats, rows from the bottom up. */
+bool output_file_write(const char *path, const float *rgba, int width, int height, char *message);
 
 #endif

@@ -364,6 +364,12 @@ static bool move_eye(struct show *show, const double *eye_m, struct cupola_error
            cupola_plan_set_eye(show->plan, eye_m, error) >= 0;
 }
 
+static bool set_jitter(struct show *show, const struct show_jitter *jitter,
+                       struct cupola_error *error)
+{
+    return !jitter || cupola_gl_set_jitter(show->gl, jitter->texels, jitter->pixels, error) >= 0;
+}
+
 bool show_draw(struct show *show, const struct show_frame *frame, char *message)
 {
     struct cupola_error error = {0};
@@ -374,7 +380,7 @@ bool show_draw(struct show *show, const struct show_frame *frame, char *message)
         frame->scene->drawn = (struct scene_counts){0, 0};
     phase_ms(frame, 0);
     start_ms = now_ms();
-    if (!move_eye(show, frame->eye_m, &error) ||
+    if (!move_eye(show, frame->eye_m, &error) || !set_jitter(show, frame->jitter, &error) ||
         (!frame->source && !draw_scene(show, frame, &error)))
         goto fail;
     times.views_ms = phase_ms(frame, start_ms);

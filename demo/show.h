@@ -27,6 +27,7 @@ struct show_setup {
     bool picture_of_numbers;        /* a picture of floats, whose numbers are taken as they are */
     bool floats;                    /* views and images of 32-bit floats instead of 8 bits */
     bool overlays;                  /* frames have some */
+    bool reference;                 /* frames of a reference: jittered, and in linear light */
     bool measures_prices;           /* the plan's prices are, or have been, measured */
 };
 
@@ -52,11 +53,17 @@ struct frame_times {
     double frame_ms; /* all of it, theatre included */
 };
 
+/* How far samples lie beside the middles of texels and pixels. */
+struct show_jitter {
+    double texels[2], pixels[2];
+};
+
 struct show_frame {
     const struct cupola_source *source; /* NULL: the scene */
     struct scene *scene;
     const struct host_camera *camera;
-    const double *eye_m; /* the viewer's, dome frame; NULL: the rig's */
+    const double *eye_m;              /* the viewer's, dome frame; NULL: the rig's */
+    const struct show_jitter *jitter; /* of a reference; NULL: as it was */
     struct scene_range *range;
     struct grid *grid;                     /* drawn over every view; NULL: none */
     const struct cupola_overlay *overlays; /* over the dome's image */

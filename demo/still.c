@@ -14,8 +14,10 @@
 #include "headless.h"
 #include "output_file.h"
 #include "prices.h"
+#include "reference.h"
 #include "stats.h"
 #include "target.h"
+#include "view_wishes.h"
 #include "world.h"
 
 struct still {
@@ -25,8 +27,9 @@ struct still {
     struct marks marks;
     struct show *show;
     struct target target;
-    struct stats *stats; /* NULL: nobody wants them */
-    bool numbered;       /* each frame of a film goes to a file of its own */
+    struct stats *stats;         /* NULL: nobody wants them */
+    struct reference *reference; /* NULL: each picture is one frame */
+    bool numbered;               /* each frame of a film goes to a file of its own */
 };
 
 static int create(struct still *still, const struct options *options,
@@ -52,8 +55,9 @@ static int create(struct still *still, const struct options *options,
     if (!still->show)
         return STATUS_FAILED;
     show_size(still->show, &width, &height);
-    if (!target_create(&still->target, width, height, mine.floats ? TARGET_FLOATS : TARGET_BYTES,
-                       message, MESSAGE_SIZE))
+    if (!target_create(&still->target, width, height,
+                       mine.floats || mine.reference ? TARGET_FLOATS : TARGET_BYTES, message,
+                       MESSAGE_SIZE))
         return STATUS_FAILED;
     if (options->stats && !(still->stats = stats_create(options->stats))) {
         snprintf(message, MESSAGE_SIZE, "out of memory");
@@ -66,6 +70,7 @@ static int create(struct still *still, const struct options *options,
 static void destroy(struct still *still)
 {
     stats_destroy(still->stats);
+    reference_destroy(still->reference);
     if (still->headless) {
         if (still->target.framebuffer)
             target_destroy(&still->target);
@@ -76,22 +81,53 @@ static void destroy(struct still *still)
     headless_destroy(still->headless);
 }
 
-/* Frame `index` of a film, to its file. */
-static bool capture(const struct still *still, const struct options *options, long index,
-                    char *message)
+/* The file of picture `index`: of a film's, or the only one. */
+static bool find_path(const struct still *still, const struct options *options, long index,
+                      const char *single, char path[PATH_MAX], char *message)
 {
-    char path[PATH_MAX];
-
-    if (film_output_path(options, still->world.film, index, path))
-        return output_file_capture(path, still->target.framebuffer, still->target.width,
-                                   still->target.height, message);
+    if (still->numbered ? film_output_path(options, still->world.film, index, path)
+                        : snprintf(path, PATH_MAX, "%s", single) < PATH_MAX)
+        return true;
     snprintf(message, MESSAGE_SIZE, "--output makes too long a name");
     return false;
 }
 
-static bool draw(struct still *still, const struct options *options, char *message)
+/* What becomes of picture `index` once it can be drawn. */
+static int draw_picture(struct still *still, const struct options *options,
+                        const struct show_frame *frame, long index, const char *single,
+                        char *message)
 {
-    long frames = options->frames > 0 ? options->frames : 1;
+    char path[PATH_MAX];
+
+    if (!find_path(still, options, index, single, path, message))
+        return STATUS_FAILED;
+    if (still->reference)
+        return reference_draw(still->reference, still->show, frame, index, path, message);
+    if (!show_draw(still->show, frame, message))
+        return STATUS_FAILED;
+    if (still->stats)
+        stats_add_frame(still->stats, frame->times);
+    return !still->numbered ||
+                   output_file_capture(path, still->target.framebuffer, still->target.width,
+                                       still->target.height, message)
+               ? STATUS_OK
+               : STATUS_FAILED;
+}
+
+/* How many frames, or pictures, there are. */
+static long count_frames(const struct still *still, const struct options *options)
+{
+    if (still->numbered)
+        return film_output_frames(options, still->world.film);
+    if (still->stats)
+        return stats_frames(options->frames) + 1;
+    return options->frames > 0 ? options->frames : 1;
+}
+
+static int draw(struct still *still, const struct options *options, const char *path, char *message)
+{
+    long frames = count_frames(still, options);
+    int status = STATUS_OK;
     double eye_m[3];
     struct frame_times times;
     struct scene_range range = {0};
@@ -108,23 +144,15 @@ static bool draw(struct still *still, const struct options *options, char *messa
         .times = still->stats ? &times : NULL,
     };
 
-    if (still->stats)
-        frames = stats_frames(options->frames) + 1;
-    if (still->numbered)
-        frames = film_output_frames(options, still->world.film);
-    for (long i = 0; i < frames; i++) {
+    for (long i = still->reference ? reference_first(still->reference) : 0;
+         status == STATUS_OK && i < frames; i++) {
         if (still->world.film && !film_seek(still->world.film, i, message))
-            return false;
+            return STATUS_FAILED;
         if (eye_path_place(options, &still->rig, (double)i / (double)frames, eye_m))
             frame.eye_m = eye_m;
-        if (!show_draw(still->show, &frame, message))
-            return false;
-        if (still->stats)
-            stats_add_frame(still->stats, &times);
-        if (still->numbered && !capture(still, options, i, message))
-            return false;
+        status = draw_picture(still, options, &frame, i, path, message);
     }
-    return true;
+    return status;
 }
 
 /* The picture last but one: when it cannot be written, neither are the statistics. */
@@ -144,7 +172,7 @@ static bool write_files(struct still *still, const struct options *options, cons
                          (const char *)glGetString(GL_RENDERER), message))
             return false;
     }
-    if (!still->numbered &&
+    if (!still->numbered && !still->reference &&
         !output_file_capture(path, still->target.framebuffer, still->target.width,
                              still->target.height, message))
         return false;
@@ -178,8 +206,14 @@ int still_run(const struct options *options, const struct show_setup *setup, cha
     if (status == STATUS_OK &&
         !film_output_check_files(options, still.world.film, still.numbered ? NULL : path, message))
         status = STATUS_FAILED;
-    if (status == STATUS_OK &&
-        !(draw(&still, options, message) && write_files(&still, options, path, message)))
+    if (status == STATUS_OK && options->reference &&
+        !(still.reference = reference_create(
+              options, path, count_frames(&still, options), still.world.film, &still.target,
+              view_wishes_colors(show_setup_of(still.show)), message)))
+        status = STATUS_FAILED;
+    if (status == STATUS_OK)
+        status = draw(&still, options, path, message);
+    if (status == STATUS_OK && !write_files(&still, options, path, message))
         status = STATUS_FAILED;
     if (status == STATUS_OK && !options->output)
         fprintf(news, "wrote %s\n", path);

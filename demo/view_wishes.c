@@ -12,11 +12,15 @@ static enum cupola_format view_format(const struct show_setup *setup)
     return setup->floats ? CUPOLA_FORMAT_RGBA32F : CUPOLA_FORMAT_SRGB8;
 }
 
-/* Scenes draw the colours of the screen, and picture files of bytes hold them. */
+bool view_wishes_colors(const struct show_setup *setup)
+{
+    return setup->source == CUPOLA_SOURCE_VIEWS ? view_format(setup) == CUPOLA_FORMAT_SRGB8
+                                                : !setup->picture_of_numbers;
+}
+
 enum cupola_encoding view_wishes_encoding(const struct show_setup *setup)
 {
-    bool encoded = setup->source == CUPOLA_SOURCE_VIEWS ? view_format(setup) == CUPOLA_FORMAT_SRGB8
-                                                        : !setup->picture_of_numbers;
+    bool encoded = view_wishes_colors(setup) && !setup->reference;
 
     return encoded ? CUPOLA_ENCODING_SRGB : CUPOLA_ENCODING_LINEAR;
 }
@@ -32,6 +36,7 @@ struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
         .encoding = view_wishes_encoding(setup),
         .sources = 1u << (unsigned int)setup->source,
         .overlays = setup->overlays,
+        .jitters = setup->reference,
         .one_pass = setup->one_pass && setup->source == CUPOLA_SOURCE_VIEWS,
     };
 }

@@ -6,9 +6,15 @@
 
 /*
  * Of what the setup shows: sRGB where colours are mixed in linear light and encoded again at the
- * end, linear where numbers come out as they are.
+ * end, linear where numbers come out as they are, and for a reference.
  */
 enum cupola_encoding view_wishes_encoding(const struct show_setup *setup);
+
+/*
+ * Whether it shows colours of the screen, not numbers: scenes draw such, and picture files of bytes
+ * hold them.
+ */
+bool view_wishes_colors(const struct show_setup *setup);
 
 struct cupola_gl_params view_wishes_params(const struct show_setup *setup);
 

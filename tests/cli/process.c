@@ -3,10 +3,12 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "check.h"
@@ -46,31 +48,69 @@ static void become(char **arguments, const char *setting, FILE *out, FILE *err)
     _exit(127);
 }
 
-void process_run(struct process *process, const char *command, const char *setting)
+/* A program that runs. */
+struct running {
+    pid_t child;
+    FILE *out, *err;
+};
+
+static struct running start(const char *command, const char *setting)
 {
     char copy[2000];
     char *arguments[ARGUMENTS_MAX] = {getenv("CUPOLA_DEMO")};
-    int count = 1, status = 0;
-    FILE *out = tmpfile(), *err = tmpfile();
-    pid_t child;
+    int count = 1;
+    struct running running = {.out = tmpfile(), .err = tmpfile()};
 
     assert_non_null(arguments[0]);
-    assert_non_null(out);
-    assert_non_null(err);
+    assert_non_null(running.out);
+    assert_non_null(running.err);
     snprintf(copy, sizeof copy, "%s", command);
     for (char *word = strtok(copy, " "); word; word = strtok(NULL, " ")) {
         assert_true(count < ARGUMENTS_MAX - 1);
         arguments[count++] = word;
     }
     fflush(NULL);
-    child = fork();
-    assert_true(child >= 0);
-    if (child == 0)
-        become(arguments, setting, out, err);
-    assert_int_equal(waitpid(child, &status, 0), child);
+    running.child = fork();
+    assert_true(running.child >= 0);
+    if (running.child == 0)
+        become(arguments, setting, running.out, running.err);
+    return running;
+}
+
+static void end(const struct running *running, int status, struct process *process)
+{
     process->status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    read_back(out, process->out, sizeof process->out);
-    read_back(err, process->err, sizeof process->err);
+    read_back(running->out, process->out, sizeof process->out);
+    read_back(running->err, process->err, sizeof process->err);
+}
+
+void process_run(struct process *process, const char *command, const char *setting)
+{
+    struct running running = start(command, setting);
+    int status = 0;
+
+    assert_int_equal(waitpid(running.child, &status, 0), running.child);
+    end(&running, status, process);
+}
+
+void process_run_until(struct process *process, const char *command, const char *awaited,
+                       int more_ms, int signal_number)
+{
+    const struct timespec pause = {0, 1000000};
+    struct running running = start(command, NULL);
+    int status = 0;
+    pid_t ended = 0;
+
+    while (more_ms > 0 && (ended = waitpid(running.child, &status, WNOHANG)) == 0) {
+        nanosleep(&pause, NULL);
+        more_ms -= access(awaited, F_OK) == 0;
+    }
+    if (ended == 0) {
+        kill(running.child, signal_number);
+        ended = waitpid(running.child, &status, 0);
+    }
+    assert_int_equal(ended, running.child);
+    end(&running, status, process);
 }
 
 int process_enter_directory(void **state)

@@ -17,6 +17,13 @@ struct process {
  */
 void process_run(struct process *process, const char *command, const char *setting);
 
+/*
+ * The same, but once a file is there, and some milliseconds more have passed, the program gets a
+ * signal, unless it has ended by then.
+ */
+void process_run_until(struct process *process, const char *command, const char *awaited,
+                       int more_ms, int signal_number);
+
 /* A new empty directory becomes the current one; it and all in it goes at the end. */
 int process_enter_directory(void **state);
 int process_leave_directory(void **state);
