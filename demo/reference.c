@@ -173,7 +173,7 @@ static bool write_mean(struct reference *reference, const char *path, char *mess
                              reference->target.height, message);
 }
 
-/* The next picture, of which there is nothing yet; after the last one nothing is left to be kept. */
+/* The next picture, of which there is nothing yet; after the last one nothing is to be kept. */
 static bool go_on(struct reference *reference, char *message)
 {
     reference->state.picture++;

@@ -355,19 +355,15 @@ static bool draw_scene(struct show *show, const struct show_frame *frame,
     return true;
 }
 
-/* The one that the GL draws for, and the one that the demo itself asks. */
-static bool move_eye(struct show *show, const double *eye_m, struct cupola_error *error)
+/* The eye that the GL draws for and the one that the demo itself asks, and where samples lie. */
+static bool move(struct show *show, const struct show_frame *frame, struct cupola_error *error)
 {
-    if (!eye_m || !show->plan)
-        return true;
-    return cupola_gl_set_eye(show->gl, eye_m, error) >= 0 &&
-           cupola_plan_set_eye(show->plan, eye_m, error) >= 0;
-}
+    const double *eye_m = show->plan ? frame->eye_m : NULL;
+    const struct show_jitter *jitter = frame->jitter;
 
-static bool set_jitter(struct show *show, const struct show_jitter *jitter,
-                       struct cupola_error *error)
-{
-    return !jitter || cupola_gl_set_jitter(show->gl, jitter->texels, jitter->pixels, error) >= 0;
+    return (!eye_m || (cupola_gl_set_eye(show->gl, eye_m, error) >= 0 &&
+                       cupola_plan_set_eye(show->plan, eye_m, error) >= 0)) &&
+           (!jitter || cupola_gl_set_jitter(show->gl, jitter->texels, jitter->pixels, error) >= 0);
 }
 
 bool show_draw(struct show *show, const struct show_frame *frame, char *message)
@@ -380,8 +376,7 @@ bool show_draw(struct show *show, const struct show_frame *frame, char *message)
         frame->scene->drawn = (struct scene_counts){0, 0};
     phase_ms(frame, 0);
     start_ms = now_ms();
-    if (!move_eye(show, frame->eye_m, &error) || !set_jitter(show, frame->jitter, &error) ||
-        (!frame->source && !draw_scene(show, frame, &error)))
+    if (!move(show, frame, &error) || (!frame->source && !draw_scene(show, frame, &error)))
         goto fail;
     times.views_ms = phase_ms(frame, start_ms);
     if (show->setup.mode == SHOW_VIEWS) {

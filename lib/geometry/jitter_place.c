@@ -4,7 +4,7 @@
  * the first 4, 16, 64 and 256 are more even, in all four dimensions, than those of the sequence
  * alone, or of one by powers of the root of x^5 = x + 1 (R4).
  */
-#include "cupola/gl.h"
+#include "cupola/jitter.h"
 
 /* The digits of a number in a base, mirrored at the point. */
 static double mirrored(int number, int base)

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cupola/jitter.h"
 #include "error.h"
 #include "instance.h"
 

@@ -214,7 +214,7 @@ static void the_mean_of_a_ramp_is_the_ramp(void **state)
     check_at_least(largest, 5e-3);
 }
 
-/* Where pixels are much finer than anything in the scene, light comes out encoded as it always is. */
+/* Where pixels are much finer than anything in the scene, light comes out as it always is. */
 static void colors_are_encoded_as_those_of_one_frame(void **state)
 {
     (void)state;

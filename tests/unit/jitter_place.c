@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "check.h"
-#include "cupola/gl.h"
+#include "cupola/jitter.h"
 
 enum { COUNT = 256, AXES = 4 };
 

@@ -11,6 +11,7 @@
 #include "error.h"
 #include "gl.h"
 #include "gl_params.h"
+#include "jitter.h"
 #include "lens.h"
 #include "log.h"
 #include "one_pass.h"
