@@ -115,8 +115,10 @@ void main()
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
     Varying inside = point_inside_rim(pixel, point);
+    vec2 from = pixel;
 #if JITTERS
-    point = screen_point(lens_ray(circle_place(jittered_place(pixel, point))));
+    from = jittered_place(pixel, point);
+    point = screen_point(lens_ray(circle_place(from)));
 #endif
     point = Varying(point.at, inside.dx, inside.dy);
     Varying direction = source_direction(point);
@@ -125,7 +127,7 @@ void main()
     coverage = min(coverage, picture_place(direction, place));
 #endif
 #if RAYS
-    vec4 light = pixel_light(pixel, point, direction);
+    vec4 light = pixel_light(from, point, direction);
 #else
     vec4 light = direction_light(direction);
 #endif

@@ -35,8 +35,10 @@ void main()
 #if STAGE == STAGE_NONE
     Varying point = screen_point(lens_ray(circle_place(pixel)));
     float coverage = pixel_coverage(pixel, point);
+    vec2 from = pixel;
 #if JITTERS
-    point = screen_point(lens_ray(circle_place(jittered_place(pixel, point))));
+    from = jittered_place(pixel, point);
+    point = screen_point(lens_ray(circle_place(from)));
 #endif
     vec3 ray = eye_ray(point.at);
 #else
@@ -58,7 +60,7 @@ void main()
 
     if (coverage > 0.0)
 #if RAYS
-        light = mix(border, pixel_light(pixel, point), coverage);
+        light = mix(border, pixel_light(from, point), coverage);
 #elif STAGE == STAGE_COORDINATES
         light = mix(border, texture_light(atlas, entry.xy), coverage);
 #else

@@ -231,8 +231,9 @@ enum { SIDE_PX = 64, RAYS = 16 };
 static void make_dome(struct fixture *fixture)
 {
     struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 170.0, SIDE_PX);
-    const struct cupola_plan_params plan = {.density = 4};
-    const struct cupola_gl_params params = {.table = CUPOLA_TABLE_TILES, .jitters = true};
+    const struct cupola_plan_params plan = {.density = 2};
+    const struct cupola_gl_params params = {
+        .table = CUPOLA_TABLE_TILES, .jitters = true, .filter.method = CUPOLA_ANTIALIASING_NONE};
     rig.eye_m[0] = 0.2 * rig.screen.radius_m;
     fixture_make(&rig, &plan, &params, fixture);
 }
