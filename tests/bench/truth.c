@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <cupola/jitter.h>
 #include <epoxy/gl.h>
 
 #include "frame.h"

@@ -30,7 +30,7 @@ extern "C" {
  * and the texels that are sampled follow, and those stay within the guard band and outside of the
  * masks. Rays leave the moved place of their pixel; where an image circle or the screen's edge cuts
  * a pixel, they are drawn together into the part that is lit, and its coverage is that of the whole
- * pixel. Overlays, gains and the tables of cupola_gl_points and cupola_gl_density stay where they
+ * pixel. Overlays, gains and the textures of cupola_gl_points and cupola_gl_density stay as they
  * are. The plan that gl was made from does not move, nor do cameras of cupola_plan_camera.
  *
  * Makes no GL call and allocates nothing.
