@@ -120,7 +120,7 @@ struct cupola_gl_params {
     bool overlays; /* cupola_gl_overlay will be called (overlay.h): its program is made, too */
     bool one_pass; /* cupola_gl_pass_begin will be called (one_pass.h): its buffer is made, too */
     /* cupola_gl_set_jitter will be called (jitter.h). Of views needs the table stage none, tiles or
-     * auto, and a guard band of 2 texels; the views' places are no constants of the shaders then. */
+     * auto, and a guard band of 2 texels; views' places are no constants of the shaders then. */
     bool jitters;
     /* For hosts that set all of their state before they draw again: frames neither ask for the GL's
      * state nor put it back, which is then what the call needed, and trust the host about what only
