@@ -39,15 +39,17 @@ static bool take_part(int index, const char *word, struct cupola_filter *filter)
     return false;
 }
 
-bool method_find(char *text, struct method *method)
+bool method_find(const char *text, struct method *method)
 {
+    char parts[METHOD_NAME];
     int index = 0;
 
     *method = (struct method){{0}};
-    if (strlen(text) >= sizeof method->name)
+    if (strlen(text) >= sizeof parts)
         return false;
     snprintf(method->name, sizeof method->name, "%s", text);
-    for (char *word = text; word; index++) {
+    snprintf(parts, sizeof parts, "%s", text);
+    for (char *word = parts; word; index++) {
         char *colon = strchr(word, ':');
         if (colon)
             *colon++ = '\0';

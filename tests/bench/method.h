@@ -15,8 +15,8 @@ struct method {
 
 /*
  * METHOD[:SAMPLES[:PATTERN[:turned]]] by the library's names: "cone:8:blue-noise:turned". False
- * where it is none; the text is changed.
+ * where it is none.
  */
-bool method_find(char *text, struct method *method);
+bool method_find(const char *text, struct method *method);
 
 #endif

@@ -106,9 +106,16 @@ static struct scene *checkers_create(const char *name, const struct probe_scale 
 static struct scene *load_scene(const char *name, char *message)
 {
     const struct comparison_wishes wishes = {.frames = 1};
+    char why[MESSAGE_SIZE];
     struct load load;
 
-    return load_find(name, &wishes, 256, &load, message) ? setting_scene(&load, message) : NULL;
+    if (load_find(name, &wishes, 256, &load, why))
+        return setting_scene(&load, message);
+    snprintf(message, MESSAGE_SIZE,
+             "there is no scene '%.40s'; there are zone-plate, siemens, checkers[:PX], starfield, "
+             "model and the loads of cupola-bench: %.700s",
+             name, why);
+    return NULL;
 }
 
 /* All round. */

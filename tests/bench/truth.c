@@ -26,6 +26,7 @@ static bool make_gl(struct truth *truth, double density, char *message)
     cupola_plan *plan = NULL;
 
     params.format = CUPOLA_FORMAT_SRGB8; /* as those that are judged; no more encoding than that */
+    params.table = CUPOLA_TABLE_TILES;   /* whatever is judged: tables have one ray for a pixel */
     params.filter.method = CUPOLA_ANTIALIASING_NONE;
     params.jitters = true;
     if (cupola_plan_create(truth->setting->dome, &plan_wishes, &plan, &error) < 0 ||
