@@ -99,6 +99,8 @@ int main(int argc, char **argv)
         setup.table = options.table;
         setup.view_format = options.view_format;
         setup.samples = options.samples;
+        setup.filter = options.filter;
+        setup.dither_bits = options.dither_bits;
         setup.reversed_depth = options.reversed_depth;
         setup.mask = (enum cupola_mask)options.mask;
         setup.plan.unmasked = options.mask == CUPOLA_MASK_NONE;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "file_pattern.h"
+#include "filter_options.h"
 
 /* What is wrong with options about existing pictures taken together; NULL: nothing. */
 static const char *picture_contradiction(const struct options *o)
@@ -143,6 +144,8 @@ const char *options_contradiction(const struct options *o)
 
     if (!problem)
         problem = eye_contradiction(o);
+    if (!problem)
+        problem = filter_options_contradiction(o);
     if (!problem)
         problem = survey_contradiction(o);
     if (!problem)

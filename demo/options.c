@@ -7,6 +7,7 @@
 
 #include <cupola/rig.h>
 
+#include "filter_options.h"
 #include "option_check.h"
 #include "option_list.h"
 #include "option_names.h"
@@ -287,6 +288,8 @@ static bool take(int code, int index, const char *text, struct options *options,
             return take_rig(&context, code, text, options);
         if (code >= OPTION_LAYOUT && code <= OPTION_TABLE)
             return take_plan(&context, code, text, options);
+        if (code >= OPTION_AA && code <= OPTION_DITHER)
+            return filter_options_take(&context, code, text, options);
         if (code >= OPTION_SCENE && code <= OPTION_SEED)
             return scene_options_take(&context, code, text, options);
         if (code >= OPTION_LABEL && code <= OPTION_CURSOR)

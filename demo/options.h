@@ -88,6 +88,9 @@ struct options {
     enum cupola_table table;
     int view_format; /* -1: not given; else of enum cupola_format */
     int samples;     /* per texel of a view; 0: not given */
+    struct cupola_filter filter;
+    int dither_bits;
+    bool filter_given, pattern_given; /* any of the options about antialiasing; about patterns */
     bool reversed_depth;
     int mask; /* of enum cupola_mask */
     enum submission_wish submission;

@@ -101,7 +101,19 @@ static const char plan_text[] =
     "                         former where a vertex shader of a GPU can choose the view; with\n"
     "                         --goal auto one by one\n"
     "  --table STAGE          none | angles | sines | points | coordinates | tiles | auto:\n"
-    "                         the fastest of them here; default tiles\n";
+    "                         the fastest of them here; default tiles\n"
+    "\nAntialiasing\n"
+    "  --aa METHOD            none: the nearest texel | texture: the mean of those round the hit "
+    "|\n"
+    "                         cone: rays in a cone of the pixel's solid angle | adaptive: the "
+    "same,\n"
+    "                         as many as the pixel covers texels | footprint: rays along the long\n"
+    "                         axis of what it covers; default texture\n"
+    "  --samples N            rays of a cone, at most of adaptive and footprint, 1 to 64; texels\n"
+    "                         of texture, 4 or 9; default 4\n"
+    "  --pattern NAME         regular | rotated-grid | blue-noise: of cone and adaptive\n"
+    "  --turned N             their pattern is turned from pixel to pixel, by seed N\n"
+    "  --dither               noise of the last of 8 bits, so that slopes of light show no steps\n";
 
 static const char show_text[] =
     "\nWhat is shown (one of them; default: the dome's image)\n"

@@ -18,6 +18,8 @@ struct show_setup {
     enum cupola_table table;
     int view_format; /* of enum cupola_format; -1: by `floats` */
     int samples;     /* per texel of a view; 0: one */
+    struct cupola_filter filter;
+    int dither_bits;
     bool reversed_depth;
     enum cupola_mask mask;
     bool one_pass; /* all views at once: scene and grid have been made for that */

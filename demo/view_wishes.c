@@ -36,6 +36,8 @@ struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
         .samples = setup->samples,
         .mask = setup->mask,
         .table = setup->table,
+        .filter = setup->filter,
+        .dither_bits = setup->floats ? 0 : setup->dither_bits,
         .encoding = view_wishes_encoding(setup),
         .sources = 1u << (unsigned int)setup->source,
         .overlays = setup->overlays,

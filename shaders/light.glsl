@@ -44,7 +44,8 @@ vec4 dither(vec4 steps, vec2 pixel)
     uint hash = pattern_hash(uvec2(ivec2(floor(pixel))), scramble(FILTER_SEED));
     vec2 noise = vec2(uvec2(hash & 0xffffu, hash >> 16)) / 65536.0 + (0.5 / 65536.0 - 0.5);
     bvec4 inside = lessThan(abs(steps - 127.5), vec4(127.0));
-    return mix(vec4(noise.x), vec4(noise.x + noise.y), vec4(inside));
+    // A little less than half a step: some GLs round a hair below it up.
+    return mix(vec4(0.98 * noise.x), vec4(noise.x + noise.y), vec4(inside));
 }
 
 // What the GL itself encodes is dithered as what will stand in the target.
