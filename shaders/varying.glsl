@@ -16,6 +16,7 @@ struct Jacobian {
 Jacobian hit_jacobian(Varying hit, vec2 texels)
 {
     vec2 scale = hit.at.z * texels, place = texels * hit.at.xy;
-    return Jacobian(mat2(scale * hit.dx.xy - place * hit.dx.z, scale * hit.dy.xy - place * hit.dy.z),
-                    hit.at.z * hit.at.z);
+    mat2 change =
+        mat2(scale * hit.dx.xy - place * hit.dx.z, scale * hit.dy.xy - place * hit.dy.z);
+    return Jacobian(change, hit.at.z * hit.at.z);
 }

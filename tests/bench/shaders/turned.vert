@@ -1,6 +1,6 @@
 #version 330 core
-// One triangle over the whole target, whose places in a picture are turned by 45 degrees. `repeats`:
-// how often the picture, which repeats itself, stands side by side.
+// One triangle over the whole target, whose places in a picture are turned by 45 degrees. The
+// picture repeats itself: `repeats` of them stand side by side.
 
 out vec2 at;
 
