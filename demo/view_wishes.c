@@ -27,22 +27,23 @@ enum cupola_encoding view_wishes_encoding(const struct show_setup *setup)
 
 struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
 {
-    /* Of many frames the nearest texels make the sharpest mean; a picture's do not move. */
-    bool one_texel = setup->reference && setup->source == CUPOLA_SOURCE_VIEWS;
+    struct cupola_filter filter = setup->filter;
 
+    /* Of many frames the nearest texels make the sharpest mean; a picture's do not move. */
+    if (setup->reference && setup->source == CUPOLA_SOURCE_VIEWS && !setup->filter_given)
+        filter.method = CUPOLA_ANTIALIASING_NONE;
     return (struct cupola_gl_params){
         .format = view_format(setup),
         .depth = setup->mask == CUPOLA_MASK_STENCIL ? CUPOLA_DEPTH_32F_STENCIL_8 : CUPOLA_DEPTH_32F,
         .samples = setup->samples,
         .mask = setup->mask,
         .table = setup->table,
-        .filter = setup->filter,
+        .filter = filter,
         .dither_bits = setup->floats ? 0 : setup->dither_bits,
         .encoding = view_wishes_encoding(setup),
         .sources = 1u << (unsigned int)setup->source,
         .overlays = setup->overlays,
         .jitters = setup->reference,
-        .filter.method = one_texel ? CUPOLA_ANTIALIASING_NONE : CUPOLA_ANTIALIASING_TEXTURE,
         .one_pass = setup->one_pass && setup->source == CUPOLA_SOURCE_VIEWS,
     };
 }
