@@ -3,8 +3,8 @@
 // SAMPLES the number of rays, or the most of them. RIM: rays are kept within the image circle.
 //
 // Before this stand the places of rays as literals: EACH_PLACE(RAY) is RAY(x, y, weight) for each
-// of them. Where UNROLLED is 0 they are too many for that, or their number varies, and they stand
-// in an array, one pattern after the other; PAIR_PLACE is the first place of a pattern of two.
+// of them. Where UNROLLED is 0 they are too many for that, or their number varies, and they are what
+// pattern_place has, one pattern after the other; PAIR_PLACE is the first place of a pattern of two.
 
 #if RAYS
 // What a ray shows: of the program that includes this. Rays are those of its own space: any in
@@ -122,7 +122,11 @@ vec4 place_light(Rays rays, vec2 place)
 }
 
 #define ADD_RAY(x, y, weight) light += weight * place_light(rays, vec2(x, y));
-#define ADD_PLACE(place) ADD_RAY(place.x, place.y, place.z)
+#define ADD_PLACE(index)                                                                           \
+    {                                                                                              \
+        vec3 found = pattern_place(index);                                                         \
+        ADD_RAY(found.x, found.y, found.z)                                                         \
+    }
 
 // Where views are as fine as they have to be and no finer, nearly all pixels have one ray or two,
 // which lie across the middle from each other. A software rasteriser goes through whatever an `if`
@@ -144,7 +148,7 @@ vec4 rays_sum(Rays rays, int count)
     int first = count * (count - 1) / 2, most = count > 2 ? count : 0;
     light = most > 0 ? vec4(0.0) : light;
     for (int i = 0; i < most; i++)
-        ADD_PLACE(pattern_places[first + i])
+        ADD_PLACE(first + i)
     return light;
 }
 #else
@@ -155,7 +159,7 @@ vec4 rays_sum(Rays rays, int count)
     EACH_PLACE(ADD_RAY)
 #else
     for (int i = 0; i < count; i++)
-        ADD_PLACE(pattern_places[i])
+        ADD_PLACE(i)
 #endif
     return light;
 }

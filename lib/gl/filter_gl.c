@@ -10,10 +10,10 @@
 #include "geometry/filter.h"
 
 /* Of so many rays each has its own code; more of them would take compilers too long. */
-enum { UNROLLED_MAX = 8 };
+enum { UNROLLED_MAX = 8, CHOSEN_MAX = 6 };
 
 /* "RAY(-1.12345678e-01, -1.12345678e-01, 1.12345678e-01) " and room for whatever frames it. */
-enum { PLACE_LENGTH = 64, FRAME_LENGTH = 96 };
+enum { PLACE_LENGTH = 96, FRAME_LENGTH = 96 };
 
 int filter_params_complete(struct cupola_gl_params *params, struct cupola_error *error)
 {
@@ -47,6 +47,12 @@ static bool has_patterns(const struct cupola_filter *filter)
 static bool is_unrolled(const struct cupola_filter *filter)
 {
     return filter->method == CUPOLA_ANTIALIASING_CONE && filter->samples <= UNROLLED_MAX;
+}
+
+/* Of a few patterns a place is chosen by comparing. */
+static bool is_chosen(const struct cupola_filter *filter)
+{
+    return filter->method == CUPOLA_ANTIALIASING_ADAPTIVE && filter->samples <= CHOSEN_MAX;
 }
 
 static int texels_of_ray(const struct cupola_filter *filter)
@@ -131,6 +137,26 @@ static void add_macro(struct text *text, const struct cupola_filter *filter)
     add(text, "\n");
 }
 
+/*
+ * A function that has all patterns one after the other, by comparing: what is indexed by a number
+ * that varies is read from memory.
+ */
+static void add_choice(struct text *text, const struct cupola_filter *filter)
+{
+    char words[FRAME_LENGTH];
+    int index = 3; /* after those of one and of two */
+    add(text, "vec3 pattern_place(int i)\n{\n    vec3 place = vec3(0.0);\n");
+    for (int count = 3; count <= filter->samples; count++) {
+        struct pattern pattern;
+        filter_pattern(filter, count, &pattern);
+        for (int i = 0; i < count; i++) {
+            snprintf(words, sizeof words, "    place = i == %d ? vec3", index++);
+            add_place(text, words, &pattern.places[i], " : place;\n");
+        }
+    }
+    add(text, "    return place;\n}\n");
+}
+
 /* All patterns one after the other. */
 static void add_array(struct text *text, const struct cupola_filter *filter, int first, int last)
 {
@@ -145,6 +171,7 @@ static void add_array(struct text *text, const struct cupola_filter *filter, int
             add_place(text, "vec3", &pattern.places[i],
                       count == last && i == count - 1 ? ");\n" : ",\n");
     }
+    add(text, "vec3 pattern_place(int i)\n{\n    return pattern_places[i];\n}\n");
 }
 
 char *filter_places_text(const struct cupola_filter *filter)
@@ -152,7 +179,7 @@ char *filter_places_text(const struct cupola_filter *filter)
     int last = has_patterns(filter) ? filter->samples : 0;
     int first = filter->method == CUPOLA_ANTIALIASING_ADAPTIVE ? 1 : last;
     int places = (last + first) * (last - first + 1) / 2;
-    size_t room = (size_t)places * PLACE_LENGTH + (size_t)(last - first + 4) * FRAME_LENGTH;
+    size_t room = (size_t)places * PLACE_LENGTH + (size_t)(last - first + 6) * FRAME_LENGTH;
     struct text text = {malloc(room), 0};
     if (!text.at)
         return NULL;
@@ -161,6 +188,8 @@ char *filter_places_text(const struct cupola_filter *filter)
         add_pair(&text, filter);
     if (is_unrolled(filter))
         add_macro(&text, filter);
+    else if (is_chosen(filter))
+        add_choice(&text, filter);
     else if (last > 0)
         add_array(&text, filter, first, last);
     return text.at;

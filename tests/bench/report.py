@@ -24,6 +24,7 @@ DRAWN = ["cupola", "cupola-vertices", "cupola-3-views", "cupola-5-views", "contr
 TITLES = {
     "warp": "The warp alone, in blits",
     "eye": "A viewer who moves, in blits",
+    "filters": "Antialiasing, in blits",
     "frame": "Whole frames, in perspective views",
     "parts": "Where a frame's time goes",
     "lamps": "Against lamps",
@@ -34,7 +35,7 @@ TITLES = {
 
 
 # Their views are drawn once, and only the warp is timed.
-WARPS = ("warp", "eye")
+WARPS = ("warp", "eye", "filters")
 
 
 def number(value, digits=2):
