@@ -3,8 +3,8 @@
 // SAMPLES the number of rays, or the most of them. RIM: rays are kept within the image circle.
 //
 // Before this stand the places of rays as literals: EACH_PLACE(RAY) is RAY(x, y, weight) for each
-// of them. Where UNROLLED is 0 they are too many for that, or their number varies: pattern_place has
-// them, one pattern after the other. PAIR_PLACE is the first place of a pattern of two.
+// of them. Where UNROLLED is 0 they are too many for that, or their number varies: pattern_place
+// has them, one pattern after the other. PAIR_PLACE is the first place of a pattern of two.
 
 #if RAYS
 // What a ray shows: of the program that includes this. Rays are those of its own space: any in
