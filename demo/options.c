@@ -150,6 +150,7 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
     double wished;
 
     o->views_given |= code != OPTION_TABLE;
+    o->plan_given |= code <= OPTION_GUARD || code == OPTION_MASK || code == OPTION_SUBMISSION;
     switch (code) {
     case OPTION_LAYOUT:
         if (!value_name(c, text, cupola_layout_name, &index))
@@ -309,7 +310,7 @@ static void unknown_option(int argc, char **argv, int code, char *message)
 
 bool options_time_views(const struct options *options)
 {
-    return options->goal_auto && options->mode != SHOW_PERSPECTIVE;
+    return options->goal_auto;
 }
 
 int options_parse(int argc, char **argv, struct options *options, char *message)
