@@ -171,7 +171,8 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
         o->plan.goal = o->goal_auto ? CUPOLA_GOAL_FILL : (enum cupola_goal)index;
         return true;
     case OPTION_VIEW_SIZE:
-        return value_integer(c, text, 1, 16384, &o->plan.view_size_px);
+        /* Atlases have 16384 texels each way, guard bands two at least. */
+        return value_integer(c, text, 1, 16384 - 2, &o->plan.view_size_px);
     case OPTION_GUARD:
         return value_integer(c, text, 1, 256, &o->plan.guard_px);
     case OPTION_HEAD_RADIUS:
