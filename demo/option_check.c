@@ -31,9 +31,8 @@ static const char *picture_contradiction(const struct options *o)
                "the name";
     if (o->views_given)
         return "--layout, --views, --goal, --density, --view-size, --guard, --head-radius, "
-               "--eye-circle, --view-format, --msaa, --depth and --submission belong to views, and "
-               "--show has "
-               "none; allowed: without them";
+               "--eye-circle, --view-format, --msaa, --depth, --mask and --submission belong to "
+               "views, and --show has none; allowed: without them";
     if (o->flat || o->camera.given || o->look.given || o->up.given)
         return "--flat, --camera, --look and --up belong to a scene, and --show has none; allowed: "
                "--picture-aim turns a picture";
@@ -54,9 +53,13 @@ static const char *scene_contradiction(const struct options *o)
     return NULL;
 }
 
-/* The same of options about a viewer who moves. */
-static const char *eye_contradiction(const struct options *o)
+/* The same of options about the plan and its views. */
+static const char *plan_contradiction(const struct options *o)
 {
+    if (o->mode == SHOW_PERSPECTIVE && o->plan_given)
+        return "--layout, --views, --goal, --density, --view-size, --guard, --mask and "
+               "--submission belong to the dome's views, and --perspective has none; allowed: "
+               "without them";
     if (!o->head_radius_m.given && !o->eye_circle_m.given)
         return NULL;
     if (o->mode == SHOW_PERSPECTIVE)
@@ -143,7 +146,7 @@ const char *options_contradiction(const struct options *o)
     const char *problem = scene_contradiction(o);
 
     if (!problem)
-        problem = eye_contradiction(o);
+        problem = plan_contradiction(o);
     if (!problem)
         problem = filter_options_contradiction(o);
     if (!problem)

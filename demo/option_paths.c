@@ -20,8 +20,21 @@ static bool is_png(const char *path)
     return length > 4 && strcasecmp(path + length - 4, ".png") == 0;
 }
 
+/* An option without its file would take the next option for one. */
+static bool is_option(const struct value_context *context, const char *text)
+{
+    if (strncmp(text, "--", 2) != 0)
+        return false;
+    snprintf(context->message, MESSAGE_SIZE,
+             "%s: '%s' looks like an option; allowed: the name of a file, ./%s for this one",
+             context->option, short_path(text).text, short_path(text).text);
+    return true;
+}
+
 bool value_output_path(const struct value_context *context, const char *text, const char **path)
 {
+    if (is_option(context, text))
+        return false;
     if (is_png(text) || options_is_pfm(text)) {
         *path = text;
         return true;
@@ -34,6 +47,8 @@ bool value_output_path(const struct value_context *context, const char *text, co
 
 bool value_path(const struct value_context *context, const char *text, const char **path)
 {
+    if (is_option(context, text))
+        return false;
     if (*text) {
         *path = text;
         return true;

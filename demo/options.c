@@ -157,6 +157,7 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
     double wished;
 
     o->views_given |= code != OPTION_TABLE;
+    o->plan_given |= code <= OPTION_GUARD || code == OPTION_MASK || code == OPTION_SUBMISSION;
     switch (code) {
     case OPTION_LAYOUT:
         if (!value_name(c, text, cupola_layout_name, &index))
@@ -177,7 +178,8 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
         o->plan.goal = o->goal_auto ? CUPOLA_GOAL_FILL : (enum cupola_goal)index;
         return true;
     case OPTION_VIEW_SIZE:
-        return value_integer(c, text, 1, 16384, &o->plan.view_size_px);
+        /* Atlases have 16384 texels each way, guard bands two at least. */
+        return value_integer(c, text, 1, 16384 - 2, &o->plan.view_size_px);
     case OPTION_GUARD:
         return value_integer(c, text, 1, 256, &o->plan.guard_px);
     case OPTION_HEAD_RADIUS:
@@ -318,7 +320,7 @@ static void unknown_option(int argc, char **argv, int code, char *message)
 
 bool options_time_views(const struct options *options)
 {
-    return options->goal_auto && options->mode != SHOW_PERSPECTIVE;
+    return options->goal_auto;
 }
 
 int options_parse(int argc, char **argv, struct options *options, char *message)

@@ -175,7 +175,7 @@ static void mark(const cupola_plan *plan, struct mask *mask)
         struct mask_texels *texels = &mask->texels[v];
         prepare_place(&plan->views[v], &marking.places[v]);
         prepare_lines(plan, v, widened, texels);
-        memset(texels->bits, 0,
+        memset(texels->bits, mask->whole ? 255 : 0,
                (size_t)texels->words * (size_t)texels->height * sizeof *texels->bits);
     }
     for (int i = 0; i < mask->square_count; i++)

@@ -46,6 +46,7 @@ struct mask_texels {
 
 struct mask {
     bool middles; /* of needed texels are left free; else all of them */
+    bool whole;   /* nothing is masked: rays that lie apart however near their places are */
     int square_count, square_most;
     struct mask_square *squares;
     struct mask_texels texels[CUPOLA_VIEWS_MAX];

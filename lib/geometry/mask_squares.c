@@ -1,7 +1,9 @@
 /*
  * The lit part of the outputs' images in squares. A square of more than SMALL_PX is used where it
  * and all squares of its size round it are lit, so that a box round it never reaches beyond the lit
- * part's edge.
+ * part's edge. A box of corners holds what lies between them only if they are near each other: a
+ * square is cut, below a pixel if need be, until it is small beside the image circle and as the eye
+ * sees it.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -13,6 +15,21 @@ enum { SMALL_PX = 2, MOST_PX = 32, PLACES = 9 };
 
 /* Half the diagonal of a pixel and some more: farther from an edge none is cut. */
 static const double pixel_reach = 0.75;
+
+/*
+ * How far apart the corners of a square may lie, as parts of their distance from the eye. Where
+ * rays turn by an angle and are up to 80 degrees off a view's axis, they bulge out of the box of
+ * their ends by up to tan 80 / 4 = 1.4 of that angle, of the box.
+ */
+static const double near_part = 0.03; /* for a small margin */
+static const double most_part = 0.1;
+static const float small_margin = 0.0625f, large_margin = 0.25f;
+
+/* Parts of the image circle's radius: squares of lenses in a few pixels; where cutting ends. */
+static const double most_of_circle = 0.0625, least_of_circle = 1.0 / 8192;
+
+/* Of circles: where squares say how they lie to a cap by differences. */
+static const double differences_px = 64;
 
 enum lit { LIT_NOT, LIT_IN_PART, LIT };
 
@@ -40,16 +57,21 @@ static double ring_px(double side)
     return side > SMALL_PX ? side : 0;
 }
 
+/* How far the image circle's centre is from a square. */
+static double off_center(const struct projector *projector, double x, double y, double side)
+{
+    double dx = x - projector->center_px[0], dy = y - projector->center_px[1];
+    return hypot(fmax(fmax(dx, -dx - side), 0), fmax(fmax(dy, -dy - side), 0));
+}
+
 /* How a square lies to the image circle: it, and with its ring. */
 static enum lit lit_by_rim(const struct projector *projector, double x, double y, double side)
 {
-    double nearest[2], farthest[2], ring = ring_px(side);
+    double farthest[2], ring = ring_px(side);
     double at[2] = {x - projector->center_px[0], y - projector->center_px[1]};
-    for (int i = 0; i < 2; i++) {
-        nearest[i] = fmax(fmax(at[i], -at[i] - side), 0);
+    for (int i = 0; i < 2; i++)
         farthest[i] = fmax(fabs(at[i] - ring), fabs(at[i] + side + ring));
-    }
-    if (hypot(nearest[0], nearest[1]) > projector->radius_px + pixel_reach)
+    if (off_center(projector, x, y, side) > projector->radius_px + pixel_reach)
         return LIT_NOT;
     return hypot(farthest[0], farthest[1]) < projector->radius_px - pixel_reach ? LIT : LIT_IN_PART;
 }
@@ -84,8 +106,8 @@ static enum lit lit_of(const struct projector *projector, double x, double y, do
     enum lit rim = lit_by_rim(projector, x, y, side);
     if (x >= projector->width_px || y >= projector->height_px || rim == LIT_NOT)
         return LIT_NOT;
-    if (rim == LIT_IN_PART)
-        return rim;
+    if (rim == LIT_IN_PART || projector->radius_px < differences_px)
+        return LIT_IN_PART;
     enum lit cap = lit_by_cap(projector, x, y, side);
     double more = ring_px(side);
     bool framed = x >= more && y >= more && x + side + more <= projector->width_px &&
@@ -105,30 +127,77 @@ static bool any_pixel_lit(const struct projector *projector, int x, int y, int s
     return false;
 }
 
-static bool add_square(const struct cutting *cutting, int x, int y, int side)
+static bool grow(struct mask *mask)
 {
-    struct mask *mask = cutting->mask;
+    int most = 2 * mask->square_most + 1024;
+    void *more = realloc(mask->squares, (size_t)most * sizeof *mask->squares);
+    if (!more)
+        return false;
+    mask->squares = more;
+    mask->square_most = most;
+    return true;
+}
+
+static double distance(const double a[3], const double b[3])
+{
+    double d[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+    return length3(d);
+}
+
+/*
+ * How far apart the corners of a square and its middle are, as a part of the least distance from
+ * any eye to them; the corners come out in the host's camera frame.
+ */
+static double see_square(const struct cutting *cutting, double x, double y, double side,
+                         struct mask_square *square)
+{
     const struct projector *projector = cutting->projector;
-    if (mask->square_count == mask->square_most) {
-        int most = 2 * mask->square_most + 1024;
-        void *more = realloc(mask->squares, (size_t)most * sizeof *mask->squares);
-        if (!more)
-            return false;
-        mask->squares = more;
-        mask->square_most = most;
-    }
-    struct mask_square *square = &mask->squares[mask->square_count++];
-    square->margin = side > SMALL_PX ? 0.25f : 0.0625f;
-    for (int i = 0; i < 4; i++) {
+    const cupola_dome *dome = &cutting->plan->dome;
+    double at[5][3], nearest = HUGE_VAL, apart = 0;
+    for (int i = 0; i < 5; i++) {
         struct varying point;
-        double seen[3];
-        point_of(projector, fmin(x + (i & 1) * side, projector->width_px),
-                 fmin(y + (i >> 1) * side, projector->height_px), &point);
-        transform3(cutting->plan->dome.tilt, point.at, seen);
+        double across = i < 4 ? i & 1 : 0.5, up = i < 4 ? i >> 1 : 0.5, seen[3];
+        point_of(projector, fmin(x + across * side, projector->width_px),
+                 fmin(y + up * side, projector->height_px), &point);
+        memcpy(at[i], point.at, sizeof at[i]);
+        nearest = fmin(nearest, distance(at[i], dome->rig.eye_m) - cutting->plan->head_radius_m);
+        for (int k = 0; k < i; k++)
+            apart = fmax(apart, distance(at[i], at[k]));
+        if (i == 4)
+            break;
+        transform3(dome->tilt, point.at, seen);
         square->x[i] = (float)seen[0];
         square->y[i] = (float)seen[1];
         square->z[i] = (float)seen[2];
     }
+    return nearest > 0 ? apart / nearest : HUGE_VAL;
+}
+
+/*
+ * A square, or its quarters where it is too large. What is beyond the circle is on its rim, from
+ * corner to corner.
+ */
+static bool add_square(const struct cutting *cutting, double x, double y, double side)
+{
+    struct mask *mask = cutting->mask;
+    double radius = cutting->projector->radius_px;
+    bool beyond = off_center(cutting->projector, x, y, side) >= radius;
+    struct mask_square square;
+    if (mask->whole)
+        return true;
+    double part = see_square(cutting, x, y, side, &square);
+    if (part > most_part || (!beyond && side > most_of_circle * radius)) {
+        double half = 0.5 * side;
+        mask->whole |= !(side > least_of_circle * radius);
+        for (int i = 0; i < 4; i++)
+            if (!add_square(cutting, x + half * (i & 1), y + half * (i >> 1), half))
+                return false;
+        return true;
+    }
+    if (mask->square_count == mask->square_most && !grow(mask))
+        return false;
+    square.margin = side > SMALL_PX || part > near_part ? large_margin : small_margin;
+    mask->squares[mask->square_count++] = square;
     return true;
 }
 

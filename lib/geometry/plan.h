@@ -31,8 +31,12 @@
 #include "cupola/plan.h"
 #include "dome.h"
 
-/* A view's axis and a ray that falls to it are at most 80 degrees apart: the cosine of that. */
-#define PLAN_REACH_COSINE 0.17364817766693033
+/*
+ * A view's axis and a ray that falls to it are at most 80 degrees apart where views are looked for,
+ * by samples: the cosine of that. Between the samples rays may be farther off, up to this.
+ */
+#define PLAN_REACH_COSINE   0.17364817766693033
+#define PLAN_REACH_MOST_DEG 82
 
 /* What 0 means in struct cupola_cost. */
 #define PLAN_VIEW_USUAL      0.005

@@ -19,7 +19,7 @@ static const double least_leaf_px = 1.0 / 64;
 static const double beyond_eyes = 0.02;
 
 /* Beyond it the search's samples were wrong about the reach. */
-static const double least_cosine_allowed = 0.139; /* 82 degrees */
+static const double least_cosine_allowed = 0.13917310096006544; /* of PLAN_REACH_MOST_DEG */
 
 /* The lit part of an output's image as square cells. */
 struct image_grid {

@@ -44,8 +44,8 @@ void plan_explain(const struct cupola_plan_params *params, double farthest_rad,
     snprintf(seen, sizeof seen, "%.4g", report->seen_fov_rad * (180 / pi));
     snprintf(report->reason, sizeof report->reason,
              "%d %s view%s (%s)%s %.3g texels a pixel: %s%s; the eye sees %s degree%s, rays are up "
-             "to %.3g (of 80) off a view's axis",
+             "to %.3g (of %d) off a view's axis",
              report->views, cupola_layout_name((int)report->layout), single ? "" : "s",
              report->family, choice_text(params, single), report->cost, drawn, texels, seen,
-             strcmp(seen, "1") == 0 ? "" : "s", farthest_rad * (180 / pi));
+             strcmp(seen, "1") == 0 ? "" : "s", farthest_rad * (180 / pi), PLAN_REACH_MOST_DEG);
 }

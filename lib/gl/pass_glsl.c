@@ -75,41 +75,101 @@ struct varying {
     int interpolation_length, type_length, name_length;
 };
 
+static const char varying_types[] =
+    " float vec2 vec3 vec4 int ivec2 ivec3 ivec4 uint uvec2 uvec3 uvec4 mat2 mat3 mat4 mat2x2 "
+    "mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 mat4x3 mat4x4 ";
+static const char double_types[] =
+    " double dvec2 dvec3 dvec4 dmat2 dmat3 dmat4 dmat2x2 dmat2x3 dmat2x4 dmat3x2 dmat3x3 dmat3x4 "
+    "dmat4x2 dmat4x3 dmat4x4 ";
+
+/* Words of the language that are no names, besides types and qualifiers; some are reserved. */
+static const char keywords[] =
+    " main attribute const uniform varying buffer shared coherent volatile restrict readonly "
+    "writeonly layout patch subroutine break continue do for while switch case default if else "
+    "in out inout true false invariant precise discard return struct void bool bvec2 bvec3 bvec4 "
+    "precision common partition active asm class union enum typedef template this resource goto "
+    "inline noinline public static extern external interface long short half fixed unsigned "
+    "superp input output hvec2 hvec3 hvec4 fvec2 fvec3 fvec4 filter sizeof cast namespace using "
+    "atomic_uint sampler1D sampler2D sampler3D samplerCube sampler1DShadow sampler2DShadow "
+    "samplerCubeShadow sampler1DArray sampler2DArray sampler1DArrayShadow sampler2DArrayShadow "
+    "samplerCubeArray samplerCubeArrayShadow sampler2DRect sampler2DRectShadow samplerBuffer "
+    "sampler2DMS sampler2DMSArray sampler3DRect ";
+
 static int word_length(const char *text)
 {
     return (int)strspn(text, "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_");
 }
 
-static bool is_interpolation(const char *word, int length)
+/* Of words between spaces. */
+static bool has_word(const char *list, const char *word, int length)
 {
-    static const char *const words[] = {"flat", "smooth", "noperspective", "centroid", "sample"};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
-        if ((int)strlen(words[i]) == length && strncmp(word, words[i], (size_t)length) == 0)
+    for (const char *at = list; *at; at += 1 + word_length(at + 1))
+        if (length > 0 && word_length(at + 1) == length &&
+            strncmp(at + 1, word, (size_t)length) == 0)
             return true;
     return false;
+}
+
+static bool is_name(const char *word, int length)
+{
+    static const char qualifiers[] =
+        " flat smooth noperspective centroid sample highp mediump lowp ";
+    return length > 0 && !strchr("0123456789", word[0]) && strncmp(word, "gl_", 3) != 0 &&
+           strncmp(word, "cupola_", 7) != 0 && !has_word(keywords, word, length) &&
+           !has_word(qualifiers, word, length) && !has_word(varying_types, word, length) &&
+           !has_word(double_types, word, length);
+}
+
+/* The next word, and what is behind it and its spaces. */
+static const char *take_word(const char **text, int *length)
+{
+    const char *word = *text;
+    *length = word_length(word);
+    *text = word + *length + strspn(word + *length, " ");
+    return word;
+}
+
+/* One way to interpolate at most, and one place to do so. */
+static void take_interpolation(const char **text, struct varying *varying)
+{
+    bool es = !epoxy_is_desktop_gl();
+    bool plain = !es || epoxy_has_gl_extension("GL_NV_shader_noperspective_interpolation");
+    bool sampled = epoxy_gl_version() >= (es ? 32 : 40);
+    const char *ways = plain ? " flat smooth noperspective " : " flat smooth ";
+    const char *places = sampled ? " centroid sample " : " centroid ";
+    int way = 0, place = 0, length;
+    varying->interpolation = *text;
+    for (;;) {
+        const char *rest = *text, *word = take_word(&rest, &length);
+        way += has_word(ways, word, length);
+        place += has_word(places, word, length);
+        if (way > 1 || place > 1 ||
+            !(has_word(ways, word, length) || has_word(places, word, length)))
+            return;
+        varying->interpolation_length = (int)(word + length - varying->interpolation);
+        *text = rest;
+    }
 }
 
 /* False where it is no such declaration. */
 static bool parse(const char *text, struct varying *varying)
 {
-    const char *at = text + strspn(text, " "), *last = NULL, *type = NULL;
-    int length = 0, next;
-    *varying = (struct varying){.interpolation = at};
-    for (; (next = word_length(at)) > 0; at += next + (int)strspn(at + next, " ")) {
-        if (last && !type && is_interpolation(last, length))
-            varying->interpolation_length = (int)(last + length - varying->interpolation);
-        else if (last && !type)
-            type = last;
-        if (type)
-            varying->type_length = (int)(last + length - type);
-        last = at;
-        length = next;
-    }
-    varying->type = type;
-    varying->name = last;
-    varying->name_length = length;
-    return !*at && type && !strchr("0123456789", last[0]) && strncmp(last, "gl_", 3) != 0 &&
-           strncmp(last, "cupola_", 7) != 0;
+    const char *at = text + strspn(text, " ");
+    int length;
+    *varying = (struct varying){.interpolation_length = 0};
+    take_interpolation(&at, varying);
+    const char *word = varying->type = take_word(&at, &length);
+    bool precise = has_word(" highp mediump lowp ", word, length);
+    if (precise)
+        word = take_word(&at, &length);
+    varying->type_length = (int)(word + length - varying->type);
+    bool doubles = has_word(double_types, word, length);
+    if (!doubles && !has_word(varying_types, word, length))
+        return false;
+    if (doubles && (precise || !epoxy_is_desktop_gl() || epoxy_gl_version() < 40))
+        return false;
+    varying->name = take_word(&at, &varying->name_length);
+    return !*at && is_name(varying->name, varying->name_length);
 }
 
 static int check_varyings(const struct cupola_pass_shader *shader, struct cupola_error *error)

@@ -91,24 +91,23 @@ static bool number_after(const char *colon, int least, int most, int *number, ch
     long value = strtol(colon + 1, &end, 10);
 
     if (end == colon + 1 || *end || value < least || value > most) {
-        snprintf(message, MESSAGE_SIZE, "a load has '%s'; allowed: %d to %d", colon + 1, least,
-                 most);
+        snprintf(message, MESSAGE_SIZE, "a load has '%s'; allowed: whole numbers, %d to %d",
+                 colon + 1, least, most);
         return false;
     }
     *number = (int)value;
     return true;
 }
 
-bool load_find(const char *name, const struct comparison_wishes *wishes, int size_px,
-               struct load *load, char *message)
+/* A load by its name; or what a pixel shall cost, ns, where that is wished, else 0. */
+static bool read_load(const char *name, struct load *load, int *wished_ns, char *message)
 {
     const char *colon = strchr(name, ':');
     size_t length = colon ? (size_t)(colon - name) : strlen(name);
     char kind[16] = "";
-    struct trial trial = {size_px < TRIAL_MOST_PX ? size_px : TRIAL_MOST_PX, wishes->clock};
-    int wished_ns;
 
     memset(load, 0, sizeof *load);
+    *wished_ns = 0;
     snprintf(load->name, sizeof load->name, "%s", name);
     snprintf(kind, sizeof kind, "%.*s", (int)length, name);
     if (strcmp(kind, "light") == 0 && !colon) {
@@ -135,11 +134,34 @@ bool load_find(const char *name, const struct comparison_wishes *wishes, int siz
                                       &load->wishes.triangles, message);
     }
     if (strcmp(kind, "ns") == 0 && colon)
-        return number_after(colon, 1, 1000000, &wished_ns, message) &&
-               find_cost(wished_ns, &trial, load, message);
+        return number_after(colon, 1, 1000000, wished_ns, message);
     snprintf(message, MESSAGE_SIZE,
              "there is no load '%s'; there are light, lambert, directions, heavy[:LAMPS], "
              "forest[:TRIANGLES] and ns:COST",
              name);
     return false;
+}
+
+bool loads_check(const char *const *names, int count, char *message)
+{
+    char problem[MESSAGE_SIZE];
+    struct load load;
+    int wished_ns;
+
+    for (int i = 0; i < count; i++)
+        if (!read_load(names[i], &load, &wished_ns, problem)) {
+            snprintf(message, MESSAGE_SIZE, "--load %.40s: %.200s", names[i], problem);
+            return false;
+        }
+    return true;
+}
+
+bool load_find(const char *name, const struct comparison_wishes *wishes, int size_px,
+               struct load *load, char *message)
+{
+    struct trial trial = {size_px < TRIAL_MOST_PX ? size_px : TRIAL_MOST_PX, wishes->clock};
+    int wished_ns;
+
+    return read_load(name, load, &wished_ns, message) &&
+           (wished_ns == 0 || find_cost(wished_ns, &trial, load, message));
 }

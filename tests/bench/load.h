@@ -13,4 +13,7 @@
 bool load_find(const char *name, const struct comparison_wishes *wishes, int size_px,
                struct load *load, char *message);
 
+/* Whether these are names of loads, else false with one line in `message`; measures nothing. */
+bool loads_check(const char *const *names, int count, char *message);
+
 #endif

@@ -393,6 +393,10 @@ int main(int argc, char **argv)
         return status;
     if (!names_contenders(&bench.options))
         return 2;
+    if (!loads_check(bench.options.loads, bench.options.load_count, bench.message)) {
+        fprintf(stderr, "cupola-bench: %s\n", bench.message);
+        return 2;
+    }
     headless = headless_create(bench.message, sizeof bench.message);
     if (!headless) {
         fprintf(stderr, "cupola-bench: %s\n", bench.message);

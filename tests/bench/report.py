@@ -194,16 +194,32 @@ def plot(family, comparisons, path):
     return True
 
 
+# What the parts of a report have in common.
+MACHINE = ("renderer", "processor", "clock", "llvmpipe_threads")
+
+
+def read_part(path):
+    """What one run of the bench wrote."""
+    try:
+        with open(path, encoding="utf-8") as source:
+            part = json.load(source)
+    except (OSError, ValueError) as error:
+        sys.exit(f"report.py: '{path}' is no whole result: {error}")
+    keys = set(part) if isinstance(part, dict) else set()
+    machine = part["machine"] if "machine" in keys else None
+    missing = sorted({"machine", "frames", "comparisons"} - keys) or sorted(
+        set(MACHINE) - set(machine if isinstance(machine, dict) else ()))
+    if missing:
+        sys.exit(f"report.py: '{path}' is no result of cupola-bench: it has no {missing[0]}")
+    return part
+
+
 def read_parts(paths):
     """One report of several, in which each comparison knows its number of frames."""
-    parts = []
-    for path in paths:
-        try:
-            with open(path, encoding="utf-8") as source:
-                parts.append(json.load(source))
-        except (OSError, ValueError) as error:
-            sys.exit(f"report.py: '{path}' is no whole result: {error}")
-    for key in ("renderer", "processor", "clock", "llvmpipe_threads"):
+    if not paths:
+        sys.exit("report.py: allowed: FOLDER COST.json...")
+    parts = [read_part(path) for path in paths]
+    for key in MACHINE:
         found = {part["machine"][key] for part in parts}
         if len(found) > 1:
             sys.exit(f"report.py: parts of different {key}: {', '.join(sorted(found))}")

@@ -85,6 +85,25 @@ def report_faults(*parts):
         yield f"the report has {tables} tables of {wished}"
 
 
+def refusal_faults():
+    """Loads that are none are refused before anything is measured, results that are none, too."""
+    for load in ("ns:0", "heavy:65", "forest:1", "moon", "light,heavy:x"):
+        ran = subprocess.run([sys.argv[1], "--load", load], stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE, check=False)
+        if ran.returncode != 2 or ran.stdout or ran.stderr.count(b"\n") != 1:
+            yield f"--load {load}: status {ran.returncode}, {len(ran.stdout)} bytes, {ran.stderr}"
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "report.py")
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "none.json")
+        for text in ("{}", "[]", "1", '{"machine": 1, "frames": 1, "comparisons": []}'):
+            with open(path, "w", encoding="utf-8") as out:
+                out.write(text)
+            ran = subprocess.run([sys.executable, script, os.path.join(folder, "out"), path],
+                                 stderr=subprocess.PIPE, check=False)
+            if ran.returncode != 1 or ran.stderr.count(b"\n") != 1:
+                yield f"report of {text}: {ran.stderr.decode()}"
+
+
 pictures, numbers = measure(RUN), measure(NUMBERS)
 print("renderer:", pictures["machine"]["renderer"])
 faults = [
@@ -92,6 +111,7 @@ faults = [
     *faults_in(numbers, ["parts"] * 2 + ["lamps"] * 7 + ["triangles"] * 4 + ["size"] * 2,
                number_faults),
     *report_faults(pictures, numbers),
+    *refusal_faults(),
 ]
 print("\n".join(faults) or "every picture is right")
 sys.exit(1 if faults else 0)

@@ -114,14 +114,6 @@ static void one_pass_is_not_dropped_without_a_word(void **state)
     check_text("submission", "\"loop\",");
 }
 
-static void a_perspective_view_has_no_plan_to_be_timed(void **state)
-{
-    (void)state;
-    run("--perspective --fov 90 --goal auto");
-    assert_string_equal(process.err, "");
-    assert_null(strstr(process.out, "price_"));
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -130,7 +122,6 @@ int main(void)
         cmocka_unit_test(a_mask_shades_less),
         cmocka_unit_test(measured_prices_are_named),
         cmocka_unit_test(one_pass_is_not_dropped_without_a_word),
-        cmocka_unit_test(a_perspective_view_has_no_plan_to_be_timed),
     };
     return cmocka_run_group_tests(tests, process_enter_directory, process_leave_directory);
 }

@@ -154,10 +154,33 @@ static int glsl(struct cupola_pass_shader shader, char text[TEXT], struct cupola
 
 static void wrong_wishes_for_text_are_refused(void **state)
 {
-    static const char *const wrong[] = {
-        "normal",         "",        "vec3 gl_Color", "vec3 2nd",
-        "vec3 normal[2]", "vec3 a;", "flat normal",   "vec3 cupola_x",
-        "vec3\nnormal",   NULL};
+    static const char *const wrong[] = {"normal",
+                                        "",
+                                        "vec3 gl_Color",
+                                        "vec3 2nd",
+                                        "vec3 normal[2]",
+                                        "vec3 a;",
+                                        "flat normal",
+                                        "vec3 cupola_x",
+                                        "vec3\nnormal",
+                                        NULL,
+                                        "out vec3 a",
+                                        "vec3 a b c",
+                                        "struct x",
+                                        "vec3 main",
+                                        "vec3 out",
+                                        "centroid noperspective vec2",
+                                        "flat smooth vec3 a",
+                                        "invariant vec3 zz",
+                                        "centroid centroid vec3 a",
+                                        "flat centroid flat vec3 a",
+                                        "sampler2D a",
+                                        "vec5 a",
+                                        "highp lowp vec3 a",
+                                        "vec3 highp a",
+                                        "vec3 vec2",
+                                        "bool b",
+                                        "vec3 1"};
     struct cupola_error error = {CUPOLA_OK, ""};
     char text[TEXT];
     (void)state;
@@ -222,6 +245,29 @@ static void text_fits_to_the_byte(void **state)
     }
 }
 
+/* What declares a varying is taken as it is: the control of those refused. */
+static void declarations_are_taken(void **state)
+{
+    static const char *const right[] = {"float a",
+                                        "centroid vec2 b_2",
+                                        "flat uint _c",
+                                        "smooth centroid mat4x3 d",
+                                        "centroid smooth mediump vec4 Main",
+                                        "  flat   highp   ivec3   outer  ",
+                                        "vec3 flatness"};
+    struct cupola_error error = {CUPOLA_OK, ""};
+    char text[TEXT];
+    (void)state;
+    if (cupola_pass_way(NULL) < 0)
+        skip();
+    struct cupola_pass_shader shader = {.way = CUPOLA_PASS_GEOMETRY,
+                                        .varyings = right,
+                                        .varying_count = sizeof right / sizeof right[0]};
+    if (glsl(shader, text, &error) < 0)
+        fail_msg("%s", error.message);
+    assert_non_null(strstr(text, "#define outer cupola_to_outer\n"));
+}
+
 /* The most that is promised to fit, and what a GL compiles. */
 static void text_of_many_varyings_fits(void **state)
 {
@@ -233,7 +279,7 @@ static void text_of_many_varyings_fits(void **state)
     if (cupola_pass_way(NULL) < 0)
         skip();
     for (int i = 0; i < CUPOLA_PASS_VARYINGS_MAX; i++) {
-        snprintf(words[i], sizeof words[i], "noperspective vec4 %040d", i);
+        snprintf(words[i], sizeof words[i], "centroid flat vec4 %040d", i);
         words[i][19] = 'n';
         varyings[i] = words[i];
     }
@@ -255,6 +301,7 @@ int main(void)
         cmocka_unit_test(views_are_those_of_view_begin),
         cmocka_unit_test(wrong_wishes_for_text_are_refused),
         cmocka_unit_test(text_fits_to_the_byte),
+        cmocka_unit_test(declarations_are_taken),
         cmocka_unit_test(text_of_many_varyings_fits),
     };
     return run_gpu_group("pass_manners", tests);

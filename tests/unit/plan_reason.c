@@ -71,6 +71,27 @@ static void one_view_costs_and_one_degree_is_seen(void **state)
     check_reason(1.0, &wishes, ", its number as asked, costs least, ", NULL);
 }
 
+/* Rays between the samples by which a plan is made are farther off than those; it says how far. */
+static void how_far_rays_are_off_is_within_what_is_said(void **state)
+{
+    struct cupola_plan_params wishes = {.density = 2.33624};
+    struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 252.108, 2);
+    struct cupola_output *output = &rig.outputs[0];
+    double off_deg = 0, limit_deg = 0;
+    (void)state;
+    output->circle = (struct cupola_circle){1.67973, 2.09343, 0.507376};
+    output->aim.pitch_rad = radians(-12.469);
+    memcpy(rig.eye_m, (double[]){-0.107527, 0.40047, -0.337919}, sizeof rig.eye_m);
+    memcpy(output->position_m, (double[]){0.183344, 0.307225, -0.509672}, sizeof rig.eye_m);
+    cupola_plan *plan = plan_of(&rig, &wishes);
+    const char *found = strstr(cupola_plan_report(plan)->reason, "rays are up to");
+    assert_non_null(found);
+    assert_int_equal(sscanf(found, "rays are up to %lf (of %lf)", &off_deg, &limit_deg), 2);
+    check_at_least(off_deg, 80.5); /* else it says nothing here */
+    check_at_most(off_deg, limit_deg);
+    cupola_plan_destroy(&plan);
+}
+
 /* Two outputs that show the same: what is sampled never exceeds what masks leave. */
 static void what_two_outputs_see_is_no_more_than_the_views(void **state)
 {
@@ -92,6 +113,7 @@ int main(void)
         cmocka_unit_test(masks_are_named_where_there_are_masks),
         cmocka_unit_test(objects_are_named_where_they_have_a_price),
         cmocka_unit_test(one_view_costs_and_one_degree_is_seen),
+        cmocka_unit_test(how_far_rays_are_off_is_within_what_is_said),
         cmocka_unit_test(what_two_outputs_see_is_no_more_than_the_views),
     };
     return cmocka_run_group_tests_name("plan_reason", tests, NULL, NULL);

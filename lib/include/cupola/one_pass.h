@@ -85,9 +85,11 @@ struct cupola_pass_shader {
     enum cupola_pass_stage stage; /* 0: the vertex shader's */
     /*
      * The outputs of the host's vertex shader, for the geometry shader that has to pass them on:
-     * each as it is declared, without `out` and semicolon: "vec3 normal", "flat int material". No
-     * arrays, no blocks: hosts that have some write their own geometry shader. Not asked for where
-     * the vertex shader chooses the view.
+     * each as it is declared, without `out` and semicolon: "vec3 normal", "flat int material". That
+     * is: one of flat, smooth and noperspective, and one of centroid and sample, as far as this
+     * context has them; a precision; a scalar, vector or matrix type; a name. No arrays, no blocks:
+     * hosts that have some write their own geometry shader. Not asked for where the vertex shader
+     * chooses the view.
      */
     const char *const *varyings;
     int varying_count;                    /* 0 to CUPOLA_PASS_VARYINGS_MAX */

@@ -9,6 +9,10 @@
  *               direction. Lighting that depends on the view is the same in every view.
  *   rotated     every view has an orientation of its own; reaches 180 degrees and more
  *
+ * Views are looked for by sample rays, which are kept within 80 degrees of the axis of the view that
+ * they fall to. Rays between the samples may be up to 2 degrees farther off: a plan that has rays
+ * more than 82 degrees off their view's axis is refused.
+ *
  * Each ray falls to exactly one view, the one for which the product of ray and selector is largest;
  * a product of a longer ray is longer for all, so rays need no unit length. A view's base rectangle
  * is fitted to the rays that fall to it and widened by a guard band for the filter's taps.
@@ -82,8 +86,8 @@ struct cupola_plan_params {
     bool unmasked;
     /* Of a sphere round the rig's eye in which cupola_plan_set_eye may move it, m: sizes and
      * densities suffice for every eye in it. The sphere lies within the screen, 1/10 of its radius
-     * from it at least; one in which eyes see rays more than 80 degrees off every view's axis is
-     * refused. 0: the eye rests. */
+     * from it at least; one in which eyes see rays farther off every view's axis than said above
+     * is refused. 0: the eye rests. */
     double head_radius_m;
     /* A plan that was made before, or NULL. Where it was made for an equal rig and equal wishes its
      * views are taken over, without a search; otherwise it is ignored. It is not kept. For hosts
