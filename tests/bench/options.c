@@ -23,12 +23,8 @@ static const char help[] =
     "  --load NAME,...     light, lambert, heavy[:LAMPS], forest[:TRIANGLES], directions, or\n"
     "                      ns:COST: the lamps that make a pixel cost so many ns (light,heavy)\n"
     "  --contenders N,...  by the names in the results, besides the first (all)\n"
-<<<<<<< HEAD
-    "  --table NAME        the warp's table in whole frames (auto, or tiles)\n"
-    "  --samples N         rays of a pixel, of the family filters (4)\n"
-=======
     "  --table NAME        the warp's table in whole frames (auto; what is published: tiles)\n"
->>>>>>> origin/four
+    "  --samples N         rays of a pixel, of the family filters (4)\n"
     "  --frames N          rounds that count (200)\n"
     "  --warm-up N         frames before them (5)\n"
     "  --clock NAME        auto: gpu, and wall for software rasterisers; or processor, for busy\n"
