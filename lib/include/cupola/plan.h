@@ -9,9 +9,9 @@
  *               direction. Lighting that depends on the view is the same in every view.
  *   rotated     every view has an orientation of its own; reaches 180 degrees and more
  *
- * Views are looked for by sample rays, which are kept within 80 degrees of the axis of the view that
- * they fall to. Rays between the samples may be up to 2 degrees farther off: a plan that has rays
- * more than 82 degrees off their view's axis is refused.
+ * Views are looked for by sample rays, which are kept within 80 degrees of the axis of the view
+ * that they fall to. Rays between the samples may be up to 2 degrees farther off: a plan that has
+ * rays more than 82 degrees off their view's axis is refused.
  *
  * Each ray falls to exactly one view, the one for which the product of ray and selector is largest;
  * a product of a longer ray is longer for all, so rays need no unit length. A view's base rectangle
