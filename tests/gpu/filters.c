@@ -5,24 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cupola/antialiasing.h"
+#include "filter_cases.h"
 #include "group.h"
 #include "rig_random.h"
 #include "worse.h"
-
-static const struct cupola_filter filters[] = {
-    {.method = CUPOLA_ANTIALIASING_TEXTURE},
-    {.method = CUPOLA_ANTIALIASING_TEXTURE, .samples = 9},
-    {.method = CUPOLA_ANTIALIASING_NONE},
-    {.method = CUPOLA_ANTIALIASING_CONE},
-    {.method = CUPOLA_ANTIALIASING_CONE, .samples = 7, .turned = true},
-    {.method = CUPOLA_ANTIALIASING_ADAPTIVE, .samples = 6},
-    {.method = CUPOLA_ANTIALIASING_FOOTPRINT},
-};
-
-enum { FILTERS = sizeof filters / sizeof filters[0] };
-
-static const enum cupola_table stages[] = {CUPOLA_TABLE_NONE, CUPOLA_TABLE_TILES};
 
 /* A 180 degree circle that the frame does not cut, and an eye off the axis. */
 static struct cupola_rig filtered_rig(void)
@@ -92,7 +78,7 @@ static void a_scene_of_one_color_stays_that_color(void **state)
     fixture_make(&rig, NULL, NULL, &fixture);
     for (int i = 0; i < FILTERS; i++)
         for (int s = 0; s < 2; s++) {
-            struct cupola_gl_params params = {.filter = filters[i], .table = stages[s]};
+            struct cupola_gl_params params = {.filter = filters[i], .table = filter_stages[s]};
             memcpy(params.border, color, sizeof color);
             fixture_replace_gl(&fixture, &params);
             clear_views(&fixture, color);
@@ -102,28 +88,6 @@ static void a_scene_of_one_color_stays_that_color(void **state)
     clear_views(&fixture, other);
     check_at_least(bytes_unlike(&fixture, wished), 1000);
     fixture_release(&fixture);
-}
-
-/* What no filter may see: all of the atlas but the views, and their outermost texels. */
-static void spoil(const struct fixture *fixture, int rings)
-{
-    const struct cupola_plan_report *report = cupola_plan_report(fixture->plan);
-    int width = report->atlas_width_px, height = report->atlas_height_px;
-    float *atlas = fixture_atlas(fixture);
-    for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++) {
-            bool inside = false;
-            for (int v = 0; v < cupola_plan_view_count(fixture->plan); v++) {
-                const struct cupola_rect *rect = &cupola_plan_view(fixture->plan, v)->rect;
-                inside |= x >= rect->x + rings && x < rect->x + rect->width - rings &&
-                          y >= rect->y + rings && y < rect->y + rect->height - rings;
-            }
-            for (int c = 0; c < 4 && !inside; c++)
-                atlas[4 * (y * width + x) + c] = 1000.0f;
-        }
-    glBindTexture(GL_TEXTURE_2D, cupola_gl_atlas(fixture->gl));
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, atlas);
-    free(atlas);
 }
 
 static double brightest(const struct fixture *fixture)
@@ -147,12 +111,12 @@ static void no_ray_leaves_a_view(void **state)
     for (int i = 0; i < FILTERS; i++)
         for (int s = 0; s < 2; s++) {
             struct cupola_gl_params params = {
-                .format = CUPOLA_FORMAT_RGBA32F, .filter = filters[i], .table = stages[s]};
+                .format = CUPOLA_FORMAT_RGBA32F, .filter = filters[i], .table = filter_stages[s]};
             fixture_replace_gl(&fixture, &params);
             clear_views(&fixture, gray);
-            spoil(&fixture, 0);
+            spoil_beyond_views(&fixture, 0);
             check_at_most(brightest(&fixture), 0.50001);
-            spoil(&fixture, 5);
+            spoil_beyond_views(&fixture, 5);
             check_at_least(brightest(&fixture), 1.0);
         }
     fixture_release(&fixture);
@@ -167,7 +131,7 @@ static void noise_is_of_one_step_and_has_no_mean(void **state)
     fixture_make(&rig, NULL, NULL, &fixture);
     for (int s = 0; s < 2; s++) {
         struct cupola_gl_params params = {
-            .format = CUPOLA_FORMAT_RGBA16F, .table = stages[s], .dither_bits = 8};
+            .format = CUPOLA_FORMAT_RGBA16F, .table = filter_stages[s], .dither_bits = 8};
         memcpy(params.border, color, sizeof color);
         fixture_replace_gl(&fixture, &params);
         clear_views(&fixture, color);
