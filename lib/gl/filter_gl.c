@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cupola/source.h"
 #include "error.h"
 #include "geometry/filter.h"
 
@@ -15,11 +16,23 @@ enum { UNROLLED_MAX = 8, CHOSEN_MAX = 6 };
 /* "RAY(-1.12345678e-01, -1.12345678e-01, 1.12345678e-01) " and room for whatever frames it. */
 enum { PLACE_LENGTH = 96, FRAME_LENGTH = 96 };
 
-int filter_params_complete(struct cupola_gl_params *params, struct cupola_error *error)
+int filter_guard_px(const struct cupola_filter *filter)
 {
+    return filter->method == CUPOLA_ANTIALIASING_TEXTURE && filter->samples == 9 ? 2 : 1;
+}
+
+int filter_params_complete(struct cupola_gl_params *params, int guard_px,
+                           struct cupola_error *error)
+{
+    bool views = !params->sources || params->sources & 1u << CUPOLA_SOURCE_VIEWS;
     int status = filter_check(&params->filter, &params->filter, error);
     if (status != CUPOLA_OK)
         return status;
+    if (views && guard_px < filter_guard_px(&params->filter))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "samples of texture are 9 and the plan's guard band is %d; allowed: %d or "
+                         "more",
+                         guard_px, filter_guard_px(&params->filter));
     if (params->dither_bits != 0 && params->dither_bits != 8)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "dither_bits is %d; allowed: 8, or 0 for none", params->dither_bits);

@@ -6,8 +6,15 @@
 
 #include "cupola/gl_params.h"
 
-/* Checks the filter and the noise, and makes the filter complete: filter.h. */
-int filter_params_complete(struct cupola_gl_params *params, struct cupola_error *error);
+/*
+ * Checks the filter, also against the guard band of the views, and the noise, and makes the filter
+ * complete: filter.h.
+ */
+int filter_params_complete(struct cupola_gl_params *params, int guard_px,
+                           struct cupola_error *error);
+
+/* How many texels beyond what pixels hit a guard band has to have. */
+int filter_guard_px(const struct cupola_filter *filter);
 
 /* Whether a pixel may send out more rays than one, which no table of rays can hold. */
 bool filter_sends_rays(const struct cupola_filter *filter);

@@ -178,7 +178,7 @@ static int create(const cupola_plan *plan, const struct cupola_gl_params *params
         return error_set(error, CUPOLA_ERROR_MEMORY, "no memory for a cupola_gl (%zu bytes)",
                          sizeof *made);
     made->params = *params;
-    status = filter_params_complete(&made->params, error);
+    status = filter_params_complete(&made->params, plan->guard_px, error);
     if (status == CUPOLA_OK)
         status = plan_copy(plan, &made->plan, error);
     if (status != CUPOLA_OK) {

@@ -3,6 +3,7 @@
  * depth or stencil alone.
  */
 #include "error.h"
+#include "filter_gl.h"
 #include "gl_objects.h"
 #include "host_buffer.h"
 #include "host_mask.h"
@@ -166,15 +167,16 @@ static int check_rect(const cupola_gl *gl, int index, const struct cupola_rect *
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "the rectangle's corner is (%d, %d); allowed: -2^24 to 2^24", rect->x,
                          rect->y);
-    /* Filters reach one texel far, which has to lie within the guard band. */
-    int width = (planned->width + guard - 1) / guard;
-    int height = (planned->height + guard - 1) / guard;
+    /* What filters reach has to lie within the guard band. */
+    int reach = filter_guard_px(&gl->params.filter);
+    int width = (reach * planned->width + guard - 1) / guard;
+    int height = (reach * planned->height + guard - 1) / guard;
     if (rect->width < width || rect->height < height)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "view %d of %d x %d texels is masked in %d x %d; allowed: %d x %d at "
-                         "least, where the guard band of %d texels is one",
+                         "least, where the guard band of %d texels is %s",
                          index, planned->width, planned->height, rect->width, rect->height, width,
-                         height, guard);
+                         height, guard, reach > 1 ? "two" : "one");
     return CUPOLA_OK;
 }
 

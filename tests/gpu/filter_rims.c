@@ -136,8 +136,10 @@ static void rims_are_as_clean_as_the_inside(void **state)
     triangles = triangles_create();
     for (int number = 0; number < RIGS; number++) {
         struct cupola_rig rig = rig_number(number);
+        /* The least guard band for what asks for four texels. */
+        struct cupola_plan_params wish = {.guard_px = number == 3 ? 1 : 2};
         struct fixture fixture;
-        fixture_make(&rig, NULL, NULL, &fixture);
+        fixture_make(&rig, &wish, NULL, &fixture);
         for (int i = 0; i < FILTERS; i++)
             if ((i + number) % RIGS < 2) /* each filter in two rigs, by one stage each */
                 check_filter(&fixture, &filters[i], filter_stages[(i + number) % RIGS]);

@@ -179,6 +179,25 @@ static void params_that_cannot_be_are_refused(void **state)
     fixture_release(&fixture);
 }
 
+/* Nine texels reach further than one guards; of pictures nobody has to. */
+static void nine_texels_want_a_guard_band_of_two(void **state)
+{
+    (void)state;
+    struct cupola_gl_params params = {.filter = {.samples = 9}};
+    struct cupola_plan_params wish = {.guard_px = 1};
+    struct cupola_rig rig = filtered_rig();
+    struct cupola_error error = {CUPOLA_OK, ""};
+    struct fixture fixture;
+    cupola_gl *gl = NULL;
+    fixture_make(&rig, &wish, NULL, &fixture);
+    assert_int_equal(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT);
+    assert_non_null(strstr(error.message, "the plan's guard band is 1; allowed: 2 or more"));
+    params.sources = 1u << CUPOLA_SOURCE_CUBE;
+    assert_int_equal(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_OK);
+    cupola_gl_destroy(&gl);
+    fixture_release(&fixture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -186,6 +205,7 @@ int main(void)
         cmocka_unit_test(no_ray_leaves_a_view),
         cmocka_unit_test(noise_is_of_one_step_and_has_no_mean),
         cmocka_unit_test(params_that_cannot_be_are_refused),
+        cmocka_unit_test(nine_texels_want_a_guard_band_of_two),
     };
     return run_gpu_group("filters", tests);
 }

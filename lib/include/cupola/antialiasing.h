@@ -25,7 +25,7 @@ extern "C" {
 /* The first three of the paper's section 3.3.2, and what goes beyond it. */
 enum cupola_antialiasing {
     /* The weighted mean of the texels round the hit: of 4, bilinear; or of 9, with weights 1 2 1 in
-     * either direction where the hit is a texel's middle. */
+     * either direction where the hit is a texel's middle, which takes a guard band of 2 texels. */
     CUPOLA_ANTIALIASING_TEXTURE = 0,
     CUPOLA_ANTIALIASING_NONE, /* the nearest texel */
     /* Rays in a round cone about the centre's that has the pixel's solid angle, weighed by their
