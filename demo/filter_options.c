@@ -18,7 +18,7 @@ bool filter_options_take(const struct value_context *context, int code, const ch
         if (!value_name(context, text, cupola_antialiasing_name, &number))
             return false;
         options->filter.method = (enum cupola_antialiasing)number;
-        return true;
+        return options->aa_given = true;
     case OPTION_SAMPLES:
         return value_integer(context, text, 1, CUPOLA_RAYS_MAX, &options->filter.samples);
     case OPTION_PATTERN:
@@ -50,6 +50,9 @@ const char *filter_options_contradiction(const struct options *options)
                "--perspective, --views-only and --map have none; allowed: without them";
     if (options->pattern_given && !cone)
         return "--pattern and --turned belong to --aa cone and --aa adaptive only";
+    if (options->reference && !options->show && !options->aa_given && filter->samples != 0)
+        return "--reference takes --aa none where no other is given, which is of one texel; "
+               "allowed: --samples together with --aa";
     if (filter->method == CUPOLA_ANTIALIASING_TEXTURE && filter->samples != 0 &&
         filter->samples != 4 && filter->samples != 9)
         return "--samples of --aa texture are texels; allowed: 4 or 9";

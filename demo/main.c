@@ -100,7 +100,7 @@ int main(int argc, char **argv)
         setup.view_format = options.view_format;
         setup.samples = options.samples;
         setup.filter = options.filter;
-        setup.filter_given = options.filter_given;
+        setup.aa_given = options.aa_given;
         setup.dither_bits = options.dither_bits;
         setup.reversed_depth = options.reversed_depth;
         setup.mask = (enum cupola_mask)options.mask;

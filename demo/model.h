@@ -76,6 +76,12 @@ struct aiMaterial;
 int model_picture_find(struct model *model, const char *model_path, const struct aiScene *source,
                        const struct aiMaterial *material, unsigned int *channel);
 
+/*
+ * All that is drawn of a model as one number: what its file holds, and the files that this names.
+ * Before anybody takes its pictures away.
+ */
+uint64_t model_contents(const struct model *model);
+
 /* The sphere round the box round all vertices that triangles use. */
 void model_bounds(const struct model *model, double center[3], double *radius);
 

@@ -119,7 +119,7 @@ static const char *reference_contradiction(const struct options *o)
         return NULL;
     if (o->mode != SHOW_DOME)
         return "--reference belongs to the dome's image; allowed: without --perspective, "
-               "--views-only and --preview";
+               "--views-only, --preview and --map";
     if (o->report && !o->output && !o->headless)
         return "--report alone draws nothing; allowed together with --reference: with --output or "
                "--headless";
@@ -129,8 +129,11 @@ static const char *reference_contradiction(const struct options *o)
         return "--reference contradicts --goal auto, which may choose another plan when it goes "
                "on; allowed: --goal fill or vertices";
     if (o->table != CUPOLA_TABLE_TILES && o->table != CUPOLA_TABLE_NONE)
-        return "--reference needs a table of no rays, or one that is chosen the same again; "
-               "allowed: --table tiles or none";
+        return "--reference moves every pixel's ray from frame to frame, so that no table can hold "
+               "it; allowed: --table tiles (which holds no rays) or none";
+    if (o->dither_bits)
+        return "--reference and --dither contradict each other: noise is for single frames, and a "
+               "mean would take it in; allowed: one of them";
     if (o->plan.guard_px == 1)
         return "--reference moves what is sampled of a view; allowed: --guard 2 or more";
     if (o->frames > 0 && !(o->output && file_pattern_has_number(o->output)))

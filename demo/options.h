@@ -92,6 +92,7 @@ struct options {
     struct cupola_filter filter;
     int dither_bits;
     bool filter_given, pattern_given; /* any of the options about antialiasing; about patterns */
+    bool aa_given;
     bool reversed_depth;
     int mask; /* of enum cupola_mask */
     enum submission_wish submission;

@@ -62,7 +62,7 @@ static bool load(struct reference *reference, char *message)
 }
 
 struct reference *reference_create(const struct options *options, const char *output, long pictures,
-                                   const struct film *film, const struct target *target,
+                                   const struct world *world, const struct target *target,
                                    bool encoded, char *message)
 {
     struct reference *reference = calloc(1, sizeof *reference);
@@ -84,7 +84,7 @@ struct reference *reference_create(const struct options *options, const char *ou
                  target->width, target->height);
     else if (snprintf(reference->path, PATH_MAX, "%s.part", output) >= PATH_MAX - 4)
         snprintf(message, MESSAGE_SIZE, "--output makes too long a name");
-    else if (reference_settings(options, film, &reference->state, message) &&
+    else if (reference_settings(options, world, &reference->state, message) &&
              output_file_check("--reference", reference->path, message) &&
              load(reference, message)) {
         tell(reference);
@@ -150,7 +150,7 @@ static bool add_frame(struct reference *reference, struct show *show,
         return false;
     }
     for (size_t i = 0; i < numbers(reference); i++)
-        reference->state.sum[i] += reference->frame[i];
+        reference->state.sum[i] += (double)reference->frame[i];
     reference->state.frames++;
     return true;
 }
@@ -166,7 +166,7 @@ static float srgb_encoded(float light)
 static bool write_mean(struct reference *reference, const char *path, char *message)
 {
     for (size_t i = 0; i < numbers(reference); i++) {
-        float mean = reference->state.sum[i] / (float)reference->frames;
+        float mean = (float)(reference->state.sum[i] / reference->frames);
         reference->frame[i] = reference->encoded && i % 4 != 3 ? srgb_encoded(mean) : mean;
     }
     return output_file_write(path, reference->frame, reference->target.width,

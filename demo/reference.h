@@ -8,20 +8,20 @@
 
 #include "show.h"
 #include "target.h"
+#include "world.h"
 
 /* In place of STATUS_OK where the end was asked for and there is more to be done. */
 enum { STATUS_INTERRUPTED = 3 };
 
-struct film;
 struct reference;
 
 /*
- * `output`: a file, or a pattern; film: whose pictures are shown, or NULL. The target is of floats,
+ * `output`: a file, or a pattern; world: what is shown. The target is of floats,
  * in linear light; with `encoded` the files are sRGB. NULL with one line in `message`,
  * MESSAGE_SIZE bytes. Runs where a GL context is current.
  */
 struct reference *reference_create(const struct options *options, const char *output, long pictures,
-                                   const struct film *film, const struct target *target,
+                                   const struct world *world, const struct target *target,
                                    bool encoded, char *message);
 
 /* NULL is allowed. */

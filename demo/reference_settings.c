@@ -67,7 +67,7 @@ static void take_pictures(struct reference_state *state, const struct film *film
         }
 }
 
-bool reference_settings(const struct options *options, const struct film *film,
+bool reference_settings(const struct options *options, const struct world *world,
                         struct reference_state *state, char *message)
 {
     state->settings = REFERENCE_NUMBER;
@@ -76,9 +76,11 @@ bool reference_settings(const struct options *options, const struct film *film,
     take_text(state, cupola_version());
     take_text(state, (const char *)glGetString(GL_RENDERER));
     take_text(state, (const char *)glGetString(GL_VERSION));
-    if (film)
-        take_pictures(state, film);
+    if (world->film)
+        take_pictures(state, world->film);
+    if (world->scene)
+        state->settings = reference_number(state->settings, &world->scene->contents,
+                                           sizeof world->scene->contents);
     return take_contents(state, options->rig, message) &&
-           take_contents(state, options->lens_table, message) &&
-           take_contents(state, options->model, message);
+           take_contents(state, options->lens_table, message);
 }

@@ -1,6 +1,7 @@
 /* What a reference that is under way has on disk. */
 #include "reference_state.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
@@ -19,12 +20,12 @@ struct header {
     char command[REFERENCE_COMMAND_MAX];
     uint64_t settings;
     int64_t picture, frames, width, height;
-    uint64_t check; /* of the sum */
+    uint64_t check; /* of all the rest, and the sum */
 };
 
 static const char mark[24] = "cupola-demo reference\n";
 
-enum { ORDER = 0x01020304, VERSION = 1 };
+enum { ORDER = 0x01020304, VERSION = 2 };
 
 uint64_t reference_number(uint64_t number, const void *bytes, size_t count)
 {
@@ -40,17 +41,25 @@ static size_t sum_bytes(const struct reference_state *state)
     return 4 * sizeof *state->sum * (size_t)state->width * (size_t)state->height;
 }
 
-/* The sum by words of 8 bytes, which it always is a number of. */
-static uint64_t check_of(const float *sum, size_t bytes)
+/* By words of 8 bytes. */
+static uint64_t check_words(uint64_t number, const void *bytes, size_t count)
 {
-    uint64_t number = REFERENCE_NUMBER, word;
+    uint64_t word;
 
-    for (size_t at = 0; at < bytes; at += sizeof word) {
-        memcpy(&word, (const char *)sum + at, sizeof word);
+    for (size_t at = 0; at < count; at += sizeof word) {
+        memcpy(&word, (const char *)bytes + at, sizeof word);
         number = (number ^ word) * 1099511628211u;
         number ^= number >> 29;
     }
     return number;
+}
+
+static uint64_t check_of(const struct header *header, const struct reference_state *state)
+{
+    static_assert(offsetof(struct header, check) % sizeof(uint64_t) == 0, "whole words");
+    uint64_t number = check_words(REFERENCE_NUMBER, header, offsetof(struct header, check));
+
+    return check_words(number, state->sum, sum_bytes(state));
 }
 
 static struct header header_of(const struct reference_state *state)
@@ -67,7 +76,7 @@ static struct header header_of(const struct reference_state *state)
     header.frames = state->frames;
     header.width = state->width;
     header.height = state->height;
-    header.check = check_of(state->sum, sum_bytes(state));
+    header.check = check_of(&header, state);
     return header;
 }
 
@@ -148,7 +157,7 @@ bool reference_state_read(const char *path, struct reference_state *state, char 
     else
         problem = stranger(&header, state);
     if (!problem && (fread(state->sum, 1, sum_bytes(state), file) != sum_bytes(state) ||
-                     fgetc(file) != EOF || check_of(state->sum, sum_bytes(state)) != header.check))
+                     fgetc(file) != EOF || check_of(&header, state) != header.check))
         problem = "is damaged";
     fclose(file);
     if (problem)

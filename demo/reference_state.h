@@ -18,7 +18,8 @@ struct reference_state {
     int64_t picture;                     /* that is under way, from 0 */
     int64_t frames;                      /* of it that are in the sum */
     int64_t width, height;
-    float *sum; /* RGBA in linear light, 4 width height of them; all zero before the first frame */
+    double *sum; /* RGBA in linear light, 4 width height of them; all zero before the first frame;
+                  * of floats so many frames would not keep their last digits */
 };
 
 /*

@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include <cupola/one_pass.h>
 
@@ -66,6 +67,7 @@ struct scene {
     bool needs_float;     /* its colours are numbers, not colours: views and files must be
                                 * float */
     float clear_color[4]; /* what the views are cleared to */
+    uint64_t contents;    /* all that was read from files, as one number; 0: nothing */
 };
 
 /*

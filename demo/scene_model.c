@@ -238,6 +238,7 @@ struct scene *scene_model_create(const char *path, const struct scene_wishes *wi
         return NULL;
     }
     scene->model = model;
+    scene->scene.contents = model_contents(model);
     scene->scene.draw = model_scene_draw;
     scene->scene.destroy = model_scene_destroy;
     scene->scene.distance = model_scene_distance;

@@ -19,7 +19,7 @@ struct show_setup {
     int view_format; /* of enum cupola_format; -1: by `floats` */
     int samples;     /* per texel of a view; 0: one */
     struct cupola_filter filter;
-    bool filter_given; /* not left to what suits the picture */
+    bool aa_given; /* its method is not left to what suits the picture */
     int dither_bits;
     bool reversed_depth;
     enum cupola_mask mask;

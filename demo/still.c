@@ -208,7 +208,7 @@ int still_run(const struct options *options, const struct show_setup *setup, cha
         status = STATUS_FAILED;
     if (status == STATUS_OK && options->reference &&
         !(still.reference = reference_create(
-              options, path, count_frames(&still, options), still.world.film, &still.target,
+              options, path, count_frames(&still, options), &still.world, &still.target,
               view_wishes_colors(show_setup_of(still.show)), message)))
         status = STATUS_FAILED;
     if (status == STATUS_OK)

@@ -30,7 +30,7 @@ struct cupola_gl_params view_wishes_params(const struct show_setup *setup)
     struct cupola_filter filter = setup->filter;
 
     /* Of many frames the nearest texels make the sharpest mean; a picture's do not move. */
-    if (setup->reference && setup->source == CUPOLA_SOURCE_VIEWS && !setup->filter_given)
+    if (setup->reference && setup->source == CUPOLA_SOURCE_VIEWS && !setup->aa_given)
         filter.method = CUPOLA_ANTIALIASING_NONE;
     return (struct cupola_gl_params){
         .format = view_format(setup),

@@ -4,7 +4,8 @@
 //
 // Before this stand the places of rays as literals: EACH_PLACE(RAY) is RAY(x, y, weight) for each
 // of them. Where UNROLLED is 0 they are too many for that, or their number varies: pattern_place
-// has them, one pattern after the other. PAIR_PLACE is the first place of a pattern of two.
+// has them, of FILTER_ADAPTIVE one pattern after the other from that of three on; and PAIR_PLACE is
+// the first place of that of two.
 
 #if RAYS
 // What a ray shows: of the program that includes this. Rays are those of its own space: any in
@@ -145,7 +146,7 @@ vec4 rays_sum(Rays rays, int count)
 {
     vec2 end = count > 1 ? PAIR_PLACE : vec2(0.0);
     vec4 light = 0.5 * (place_light(rays, end) + place_light(rays, -end));
-    int first = count * (count - 1) / 2, most = count > 2 ? count : 0;
+    int first = count * (count - 1) / 2 - 3, most = count > 2 ? count : 0;
     light = most > 0 ? vec4(0.0) : light;
     for (int i = 0; i < most; i++)
         ADD_PLACE(first + i)

@@ -1,7 +1,6 @@
 // From linear light to the numbers that an output's pixel gets: gain, then encoding. Set by the
 // program that includes this: GAIN is 0 or 1; ENCODING one of the ENCODING_... numbers, of which
 // ENCODING_ASKED is for contexts where the GL may do it by itself.
-
 //
 // With DITHERED noise of the last of 8 bits is added at the very end; its mean is 0.
 

@@ -13,6 +13,10 @@
 /* Of so many rays each has its own code; more of them would take compilers too long. */
 enum { UNROLLED_MAX = 8, CHOSEN_MAX = 6 };
 
+/* Of adaptive, patterns of one and of two places are not listed: the shader knows the former, and
+ * PAIR_PLACE is of the latter. */
+enum { LISTED_MIN = 3 };
+
 /* "RAY(-1.12345678e-01, -1.12345678e-01, 1.12345678e-01) " and room for whatever frames it. */
 enum { PLACE_LENGTH = 96, FRAME_LENGTH = 96 };
 
@@ -128,7 +132,7 @@ static void add_place(struct text *text, const char *before, const struct patter
     add(text, after);
 }
 
-/* What most pixels have. */
+/* What most pixels of adaptive have. */
 static void add_pair(struct text *text, const struct cupola_filter *filter)
 {
     struct pattern pattern;
@@ -151,15 +155,15 @@ static void add_macro(struct text *text, const struct cupola_filter *filter)
 }
 
 /*
- * A function that has all patterns one after the other, by comparing: what is indexed by a number
+ * A function that has the patterns one after the other, by comparing: what is indexed by a number
  * that varies is read from memory.
  */
 static void add_choice(struct text *text, const struct cupola_filter *filter)
 {
     char words[FRAME_LENGTH];
-    int index = 3; /* after those of one and of two */
+    int index = 0;
     add(text, "vec3 pattern_place(int i)\n{\n    vec3 place = vec3(0.0);\n");
-    for (int count = 3; count <= filter->samples; count++) {
+    for (int count = LISTED_MIN; count <= filter->samples; count++) {
         struct pattern pattern;
         filter_pattern(filter, count, &pattern);
         for (int i = 0; i < count; i++) {
@@ -170,7 +174,7 @@ static void add_choice(struct text *text, const struct cupola_filter *filter)
     add(text, "    return place;\n}\n");
 }
 
-/* All patterns one after the other. */
+/* The patterns one after the other. */
 static void add_array(struct text *text, const struct cupola_filter *filter, int first, int last)
 {
     char words[FRAME_LENGTH];
@@ -190,14 +194,16 @@ static void add_array(struct text *text, const struct cupola_filter *filter, int
 char *filter_places_text(const struct cupola_filter *filter)
 {
     int last = has_patterns(filter) ? filter->samples : 0;
-    int first = filter->method == CUPOLA_ANTIALIASING_ADAPTIVE ? 1 : last;
-    int places = (last + first) * (last - first + 1) / 2;
-    size_t room = (size_t)places * PLACE_LENGTH + (size_t)(last - first + 6) * FRAME_LENGTH;
+    bool adaptive = filter->method == CUPOLA_ANTIALIASING_ADAPTIVE;
+    int first = adaptive ? LISTED_MIN : last;
+    size_t room = 6 * FRAME_LENGTH;
+    for (int count = first; count <= last; count++)
+        room += (size_t)count * PLACE_LENGTH;
     struct text text = {malloc(room), 0};
     if (!text.at)
         return NULL;
     text.at[0] = 0;
-    if (last > 0)
+    if (adaptive)
         add_pair(&text, filter);
     if (is_unrolled(filter))
         add_macro(&text, filter);

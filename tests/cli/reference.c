@@ -76,6 +76,31 @@ static void a_killed_run_goes_on_to_the_same_picture(void **state)
     assert_false(are_alike("whole.pfm", "other.pfm")); /* the control: one frame more is seen */
 }
 
+static void check_refused(const char *command, const char *why)
+{
+    process_run(&process, command, NULL);
+    assert_int_equal(process.status, FAILED);
+    assert_non_null(strstr(process.err, why));
+    assert_non_null(strstr(process.err, "part.pfm.part"));
+    assert_true(is_there("part.pfm.part"));
+}
+
+/* Where the number of frames stands in a state. */
+enum { FRAMES_AT = 24 + 4 + 4 + 1024 + 8 + 8 };
+
+/* Doing it again undoes it. */
+static void change_byte(const char *path, long at, int whence)
+{
+    FILE *file = fopen(path, "r+b");
+
+    assert_non_null(file);
+    assert_int_equal(fseek(file, at, whence), 0);
+    int byte = fgetc(file);
+    assert_int_equal(fseek(file, at, whence), 0);
+    fputc(byte ^ 16, file);
+    fclose(file);
+}
+
 static void an_interruption_keeps_every_frame(void **state)
 {
     (void)state;
@@ -91,19 +116,13 @@ static void an_interruption_keeps_every_frame(void **state)
         assert_true(is_there("part.pfm.part"));
         assert_false(is_there("part.pfm"));
     }
+    change_byte("part.pfm.part", FRAMES_AT, SEEK_SET);
+    check_refused(STILL "part.pfm", "damaged");
+    change_byte("part.pfm.part", FRAMES_AT, SEEK_SET);
     process_run(&process, STILL "part.pfm", NULL);
     assert_int_equal(process.status, 0);
     assert_non_null(strstr(process.err, "goes on after "));
     assert_true(are_alike("whole.pfm", "part.pfm"));
-}
-
-static void check_refused(const char *command, const char *why)
-{
-    process_run(&process, command, NULL);
-    assert_int_equal(process.status, FAILED);
-    assert_non_null(strstr(process.err, why));
-    assert_non_null(strstr(process.err, "part.pfm.part"));
-    assert_true(is_there("part.pfm.part"));
 }
 
 static void other_settings_and_damage_are_refused(void **state)
@@ -116,13 +135,7 @@ static void other_settings_and_damage_are_refused(void **state)
                   "another command line");
     check_refused("--scene directions --size 48x48 --fov 170 --reference 1500 --output part.pfm",
                   "another command line");
-    FILE *file = fopen("part.pfm.part", "r+b");
-    assert_non_null(file);
-    assert_int_equal(fseek(file, -7, SEEK_END), 0);
-    int byte = fgetc(file);
-    assert_int_equal(fseek(file, -7, SEEK_END), 0);
-    fputc(byte ^ 16, file);
-    fclose(file);
+    change_byte("part.pfm.part", -7, SEEK_END);
     check_refused(STILL "part.pfm", "damaged");
     assert_int_equal(truncate("part.pfm.part", 3000), 0);
     check_refused(STILL "part.pfm", "damaged");
@@ -145,6 +158,25 @@ static void another_rig_of_the_same_name_is_refused(void **state)
     demo_run(&process, "--scene directions --fov 160 --save-rig r.cfg --output r.pfm");
     check_refused(command, "files that are read");
     unlink("part.pfm.part");
+}
+
+/* So is what a model's file names. */
+static void another_material_is_refused(void **state)
+{
+    (void)state;
+    static const char command[] = "--flat --camera 0,0,0 --size 48x48 --reference 1500 "
+                                  "--output part.pfm wall.obj";
+    process_write_file("wall.obj", "mtllib wall.mtl\nusemtl wall\nv -3 -3 -2\nv 3 -3 -2\n"
+                                   "v 3 3 -2\nv -3 3 -2\nf 1 2 3 4\n");
+    process_write_file("wall.mtl", "newmtl wall\nKd 1 0 0\n");
+    process_run_until(&process, command, "part.pfm.part", 20, SIGINT);
+    assert_int_equal(process.status, INTERRUPTED);
+    process_write_file("wall.mtl", "newmtl wall\nKd 0 1 0\n");
+    check_refused(command, "files that are read");
+    process_write_file("wall.mtl", "newmtl wall\nKd 1 0 0\n");
+    process_run(&process, command, NULL);
+    assert_int_equal(process.status, 0);
+    assert_non_null(strstr(process.err, "goes on after "));
 }
 
 #define FILM "--scene directions --eye-circle 0.2 --size 40x40 --frames 3 --reference 400 --output "
@@ -227,6 +259,18 @@ static void colors_are_encoded_as_those_of_one_frame(void **state)
     check_at_most(mean, 0.006);
 }
 
+/* The nearest texel, unless --aa says otherwise. */
+static void views_are_sampled_without_a_filter(void **state)
+{
+    (void)state;
+    double largest;
+
+    compared("--size 48x48 --reference 2", "--size 48x48 --reference 2 --aa none", &largest);
+    check_at_most(largest, 0);
+    compared("--size 48x48 --reference 2", "--size 48x48 --reference 2 --aa texture", &largest);
+    check_at_least(largest, 0.01);
+}
+
 static void write_grey(const char *path)
 {
     enum { WIDTH = 32 };
@@ -242,22 +286,34 @@ static void pictures_are_taken_too(void **state)
     (void)state;
     write_grey("grey.pfm");
     struct picture picture = demo_run_pfm(
-        &process, "--show grey.pfm --as domemaster --fov 120 --size 48x48 --reference 16");
+        &process, "--show grey.pfm --as domemaster --fov 120 --size 48x48 --reference 500");
 
     for (int j = SIDE / 3; j < SIDE / 2; j++)
         for (int i = SIDE / 3; i < SIDE / 2; i++)
-            check_near(picture_pixel(&picture, i, j)[0], 0.3f, 1e-7);
+            check_near(picture_pixel(&picture, i, j)[0], 0.3f, 1e-7); /* a sum of floats: 1e-6 */
     cupola_image_free(&picture.rgba);
 }
 
 static void what_has_no_reference_is_refused(void **state)
 {
     (void)state;
-    static const char *const refused[] = {
-        "--perspective",  "--views-only",    "--preview eye",  "--stats s.json", "--goal auto",
-        "--table points", "--table auto",    "--guard 1",      "--frames 2",     "--fullscreen",
-        "--reference 0",  "--reference 1.5", "--reference -3", "--monitor 0",
-    };
+    static const char *const refused[] = {"--perspective",
+                                          "--views-only",
+                                          "--preview eye",
+                                          "--stats s.json",
+                                          "--goal auto",
+                                          "--table points",
+                                          "--table auto",
+                                          "--guard 1",
+                                          "--frames 2",
+                                          "--fullscreen",
+                                          "--reference 0",
+                                          "--reference 1.5",
+                                          "--reference -3",
+                                          "--monitor 0",
+                                          "--dither",
+                                          "--samples 9",
+                                          "--map density --output map.png"};
     int files = process_count_files();
 
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
@@ -266,6 +322,9 @@ static void what_has_no_reference_is_refused(void **state)
         process_run(&process, command, NULL);
         assert_int_equal(process.status, USAGE);
         assert_non_null(strstr(process.err, "allowed"));
+        char name[20];
+        snprintf(name, sizeof name, "%.*s", (int)strcspn(refused[i], " "), refused[i]);
+        assert_non_null(strstr(process.err, name));
     }
     process_run(&process, "--reference 4 --rig dome.png.part", NULL);
     assert_int_equal(process.status, USAGE);
@@ -279,9 +338,11 @@ int main(void)
         cmocka_unit_test(an_interruption_keeps_every_frame),
         cmocka_unit_test(other_settings_and_damage_are_refused),
         cmocka_unit_test(another_rig_of_the_same_name_is_refused),
+        cmocka_unit_test(another_material_is_refused),
         cmocka_unit_test(a_killed_film_goes_on_with_its_picture),
         cmocka_unit_test(the_mean_of_a_ramp_is_the_ramp),
         cmocka_unit_test(colors_are_encoded_as_those_of_one_frame),
+        cmocka_unit_test(views_are_sampled_without_a_filter),
         cmocka_unit_test(pictures_are_taken_too),
         cmocka_unit_test(what_has_no_reference_is_refused),
     };

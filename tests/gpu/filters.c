@@ -1,6 +1,6 @@
 /*
- * What holds for every filter: a scene of one colour stays that colour to the last bit, no border
- * of views shows, and noise is only noise.
+ * What holds for every filter: a scene of one colour stays that colour in all of 8 bits, no
+ * border of views shows, and noise is only noise.
  */
 #include <stdlib.h>
 #include <string.h>

@@ -70,11 +70,13 @@ struct cupola_pixel_ray {
  * The rays of one pixel.
  *
  * filter   NULL: all zero
+ * plan     whose views and rig it is; nothing of it is kept
  * output   index
  * x, y     column and row of the pixel, 0 in the lower left corner
  * rays     out: up to CUPOLA_RAYS_MAX of them
- * returns  how many; 0: the pixel is not lit; CUPOLA_ERROR_ARGUMENT for an impossible filter or a
- *          pixel that is not there
+ * error    may be NULL
+ * returns  how many; 0: the pixel is not lit; CUPOLA_ERROR_ARGUMENT for an impossible filter, a
+ *          pixel that is not there, or if plan or rays is NULL
  * thread   any
  * since    0.1
  */

@@ -52,7 +52,7 @@ CUPOLA_API int cupola_reference_filter(const cupola_plan *plan, int output,
  *         frame); writes RGBA
  * user    handed to `color`
  * atlas   out: as in cupola_reference_warp; texels outside of every view become zero
- * returns CUPOLA_OK
+ * returns CUPOLA_OK; CUPOLA_ERROR_ARGUMENT if plan, color or atlas is NULL
  * thread  any; `color` is called on the same thread
  * since   0.1
  */
