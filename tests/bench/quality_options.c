@@ -300,23 +300,28 @@ static void set_defaults(struct quality_options *options)
         add_list(options, OPTION_METHOD, methods, &word);
 }
 
+static struct quality_options first_values(void)
+{
+    return (struct quality_options){.methods = {{"none", {.method = CUPOLA_ANTIALIASING_NONE}}},
+                                    .method_count = 1,
+                                    .size_px = 1024,
+                                    .density = 1,
+                                    .table = CUPOLA_TABLE_TILES,
+                                    .model = "/usr/share/glmark2/models/horse.3ds",
+                                    .trial = {.rays = 256,
+                                              .reference_density = 2,
+                                              .steps = 20,
+                                              .shimmer_rays = 64,
+                                              .yaw_rad = 0.1 * degree_rad,
+                                              .cost = {.frames = 20, .warm_up = 2},
+                                              .cut_out = {.scale = 1}}};
+}
+
 bool quality_options_read(struct quality_options *options, int argc, char **argv, int *status)
 {
     int option, index = 0;
 
-    *options = (struct quality_options){.methods = {{"none", {.method = CUPOLA_ANTIALIASING_NONE}}},
-                                        .method_count = 1,
-                                        .size_px = 1024,
-                                        .density = 1,
-                                        .table = CUPOLA_TABLE_TILES,
-                                        .model = "/usr/share/glmark2/models/horse.3ds",
-                                        .trial = {.rays = 256,
-                                                  .reference_density = 2,
-                                                  .steps = 20,
-                                                  .shimmer_rays = 64,
-                                                  .yaw_rad = 0.1 * degree_rad,
-                                                  .cost = {.frames = 20, .warm_up = 2},
-                                                  .cut_out = {.scale = 1}}};
+    *options = first_values();
     *status = 2;
     while ((option = getopt_long(argc, argv, "", long_options, &index)) != -1) {
         if (option == OPTION_HELP) {
