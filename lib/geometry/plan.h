@@ -142,6 +142,8 @@ static inline void plan_cell(const struct plan_grid *grid, int column, int row,
     corners[3] = upper;
 }
 
+/* Half of the opening from which on it may change anything: sin(h) < h / 4 from 2.47 on. */
+#define PLAN_COLLAPSES_RAD 2.4
 /* Towards the rim of a lens of nearly 360 degrees a pixel covers no angle: see plan_trace.c. */
 void plan_widen_collapsed(const struct projector *projector, const double place[2],
                           struct varying *ray);

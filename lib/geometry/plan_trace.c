@@ -12,8 +12,8 @@
 void plan_widen_collapsed(const struct projector *projector, const double place[2],
                           struct varying *ray)
 {
-    if (projector->lens.half_fov < 2.4)
-        return; /* sin(h) < h / 4 from 2.47 on */
+    if (projector->lens.half_fov < PLAN_COLLAPSES_RAD)
+        return;
     double r = hypot(place[0], place[1]);
     if (!(r > 0.5))
         return;

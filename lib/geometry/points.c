@@ -108,16 +108,24 @@ double edge_coverage(double distance_px, double normal_x, double normal_y)
     return fmin(fmax(area / (2 * a * b), 0), 1);
 }
 
+bool place_inside_rim(const struct projector *projector, double x_px, double y_px, double place[2])
+{
+    double most = fmax(1 - 0.5 / projector->radius_px, 0);
+    double r = fmin(circle_place(projector, x_px, y_px, place), 1);
+    if (!(r > most))
+        return false;
+    place[0] *= most / r;
+    place[1] *= most / r;
+    return true;
+}
+
 void point_inside_rim(const struct projector *projector, double x_px, double y_px,
                       const struct varying *point, struct varying *inside)
 {
     struct varying ray;
+    double place[2];
     *inside = *point;
-    double place[2], most = fmax(1 - 0.5 / projector->radius_px, 0);
-    double r = fmin(circle_place(projector, x_px, y_px, place), 1);
-    if (r > most) {
-        place[0] *= most / r;
-        place[1] *= most / r;
+    if (place_inside_rim(projector, x_px, y_px, place)) {
         lens_ray(projector, place, &ray);
         screen_point(projector, &ray, inside);
     }

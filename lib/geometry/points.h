@@ -47,6 +47,9 @@ void lens_ray(const struct projector *projector, const double place[2], struct v
 void screen_point(const struct projector *projector, const struct varying *ray,
                   struct varying *point);
 
+/* As circle_place, near the rim half a pixel inside: whether it was moved. */
+bool place_inside_rim(const struct projector *projector, double x_px, double y_px, double place[2]);
+
 /*
  * The point of a place in the image, near the rim of one half a pixel inside: at the rim itself the
  * derivatives may be infinite.

@@ -33,18 +33,6 @@ struct asking {
 
 /* ---- asking ---- */
 
-/* To where derivatives of rays are finite and the planner looks, too. */
-static void move_inside_rim(const struct projector *projector, const double middle_px[2],
-                            double inside_px[2])
-{
-    double most = fmax(projector->radius_px - 0.5, 0), from[2];
-    for (int i = 0; i < 2; i++)
-        from[i] = middle_px[i] - projector->center_px[i];
-    double r = hypot(from[0], from[1]);
-    for (int i = 0; i < 2; i++)
-        inside_px[i] = projector->center_px[i] + (r > most ? most / r : 1) * from[i];
-}
-
 /*
  * Along the line with the fewest texels, as the planner counts them: no finite number of them would
  * do for the rim of a lens of nearly 360 degrees.
@@ -54,16 +42,15 @@ static double fewest_texels(const struct asking *asking, int output, int view,
 {
     const cupola_dome *dome = &asking->plan->dome;
     const struct projector *projector = &dome->projectors[output];
-    struct plan_sample sample;
-    struct varying seen;
-    double inside_px[2], base[2], jacobian[4], values[2];
-    if (projector->lens.half_fov < 2.4) /* plan_trace.c */
+    struct varying ray, point, seen;
+    double place[2], base[2], jacobian[4], values[2];
+    if (projector->lens.half_fov < PLAN_COLLAPSES_RAD)
         return least;
-    move_inside_rim(projector, middle_px, inside_px);
-    plan_trace(dome, dome->rig.eye_m, output, inside_px[0], inside_px[1], &sample);
-    memcpy(seen.at, sample.at, sizeof seen.at);
-    memcpy(seen.dx, sample.dx, sizeof seen.dx);
-    memcpy(seen.dy, sample.dy, sizeof seen.dy);
+    place_inside_rim(projector, middle_px[0], middle_px[1], place);
+    lens_ray(projector, place, &ray);
+    plan_widen_collapsed(projector, place, &ray);
+    screen_point(projector, &ray, &point);
+    eye_ray(dome, dome->rig.eye_m, &point, &seen);
     if (!view_hit(&asking->plan->views[view], seen.at, base))
         return least;
     filter_jacobian(&asking->plan->views[view], &seen, jacobian);

@@ -170,3 +170,16 @@ void json_end(FILE *file)
 {
     fputs("]}\n", file);
 }
+
+bool json_close(FILE *file, const char *path, char *message)
+{
+    bool whole = fflush(file) == 0 && !ferror(file);
+
+    if (path)
+        whole = fclose(file) == 0 && whole;
+    if (!whole && path)
+        snprintf(message, MESSAGE_SIZE, "'%.900s' cannot be written whole", path);
+    else if (!whole)
+        snprintf(message, MESSAGE_SIZE, "the standard output cannot be written whole");
+    return whole;
+}

@@ -28,4 +28,10 @@ void json_comparison(FILE *file, bool first, const struct json_heading *heading,
 
 void json_end(FILE *file);
 
+/*
+ * Ends what was written to the file `path`, or to stdout where that is NULL; false with one line in
+ * `message` where not all of it could be.
+ */
+bool json_close(FILE *file, const char *path, char *message);
+
 #endif

@@ -142,14 +142,20 @@ static bool read_load(const char *name, struct load *load, int *wished_ns, char 
     return false;
 }
 
-bool loads_check(const char *const *names, int count, char *message)
+bool load_check(const char *name, char *message)
 {
-    char problem[MESSAGE_SIZE];
     struct load load;
     int wished_ns;
 
+    return read_load(name, &load, &wished_ns, message);
+}
+
+bool loads_check(const char *const *names, int count, char *message)
+{
+    char problem[MESSAGE_SIZE];
+
     for (int i = 0; i < count; i++)
-        if (!read_load(names[i], &load, &wished_ns, problem)) {
+        if (!load_check(names[i], problem)) {
             snprintf(message, MESSAGE_SIZE, "--load %.40s: %.200s", names[i], problem);
             return false;
         }

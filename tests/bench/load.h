@@ -13,6 +13,9 @@
 bool load_find(const char *name, const struct comparison_wishes *wishes, int size_px,
                struct load *load, char *message);
 
+/* Whether that is a load's name, else false with one line in `message`; measures nothing. */
+bool load_check(const char *name, char *message);
+
 /* Whether these are names of loads, else false with one line in `message`; measures nothing. */
 bool loads_check(const char *const *names, int count, char *message);
 

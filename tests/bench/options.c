@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "read_option.h"
+
 const char *const family_names[FAMILIES] = {
     [FAMILY_WARP] = "warp",       [FAMILY_EYE] = "eye",     [FAMILY_FRAME] = "frame",
     [FAMILY_PARTS] = "parts",     [FAMILY_LAMPS] = "lamps", [FAMILY_TRIANGLES] = "triangles",
@@ -81,27 +83,6 @@ static const char *const allowed[] = {
     [OPTION_CLOCK] = "auto, wall, processor, gpu",
 };
 
-static bool read_number(const char *text, double least, double most, double *number)
-{
-    char *end = NULL;
-    double value = strtod(text, &end);
-
-    if (end == text || *end || !(value >= least && value <= most))
-        return false;
-    *number = value;
-    return true;
-}
-
-static bool read_whole(const char *text, int least, int most, int *number)
-{
-    double value;
-
-    if (!read_number(text, least, most, &value) || value != (int)value)
-        return false;
-    *number = (int)value;
-    return true;
-}
-
 static bool add_family(struct options *options, const char *word)
 {
     for (int i = 0; i < FAMILIES; i++)
@@ -147,16 +128,6 @@ static bool add(struct options *options, int option, char *word)
     return false;
 }
 
-static bool take_clock(struct options *options, const char *word)
-{
-    for (int i = 0; i < CLOCKS; i++)
-        if (strcmp(word, clock_names[i]) == 0) {
-            options->wishes.clock = (enum clock)i;
-            return true;
-        }
-    return false;
-}
-
 /* `word` is what is not allowed where it returns false. */
 static bool take(struct options *options, int option, char *value, const char **word)
 {
@@ -172,7 +143,7 @@ static bool take(struct options *options, int option, char *value, const char **
     case OPTION_WARM_UP:
         return read_whole(value, 0, 100000, &options->wishes.warm_up);
     case OPTION_CLOCK:
-        return take_clock(options, value);
+        return read_clock(value, &options->wishes.clock);
     case OPTION_NO_QUALITY:
         options->no_quality = true;
         return true;

@@ -10,6 +10,7 @@
 
 #include "bench_shaders.h"
 #include "load.h"
+#include "read_option.h"
 #include "scene_views.h"
 
 const char *const probe_names[] = {"zone-plate", "siemens", "checkers", "starfield", "model", NULL};
@@ -77,18 +78,26 @@ static bool is_checkers(const char *name)
     return strcmp(name, "checkers") == 0 || strncmp(name, "checkers:", 9) == 0;
 }
 
+/* How wide a check is; false with one line in `message`. */
+static bool checkers_width(const char *name, double *wide_px, char *message)
+{
+    const char *colon = strchr(name, ':');
+
+    *wide_px = 3;
+    if (!colon || read_number(colon + 1, 0.1, 10000, wide_px))
+        return true;
+    snprintf(message, MESSAGE_SIZE, "the scene checkers has '%.40s'; allowed: 0.1 to 10000 px",
+             colon + 1);
+    return false;
+}
+
 static struct scene *checkers_create(const char *name, const struct probe_scale *scale,
                                      char *message)
 {
-    const char *colon = strchr(name, ':');
-    char *end = NULL;
-    double wide_px = colon ? strtod(colon + 1, &end) : 3;
+    double wide_px;
 
-    if (colon && (end == colon + 1 || *end || !(wide_px >= 0.1 && wide_px <= 10000))) {
-        snprintf(message, MESSAGE_SIZE, "the scene checkers has '%.40s'; allowed: 0.1 to 10000 px",
-                 colon + 1);
+    if (!checkers_width(name, &wide_px, message))
         return NULL;
-    }
     struct scene *room = sky_create("checkers", shader_checkers_frag, scale, message);
     if (!room)
         return NULL;
@@ -106,16 +115,28 @@ static struct scene *checkers_create(const char *name, const struct probe_scale 
 static struct scene *load_scene(const char *name, char *message)
 {
     const struct comparison_wishes wishes = {.frames = 1};
-    char why[MESSAGE_SIZE];
     struct load load;
 
-    if (load_find(name, &wishes, 256, &load, why))
-        return setting_scene(&load, message);
+    return load_find(name, &wishes, 256, &load, message) ? setting_scene(&load, message) : NULL;
+}
+
+bool probe_check(const char *name, char *message)
+{
+    char why[MESSAGE_SIZE];
+    double wide_px;
+
+    for (int i = 0; probe_names[i]; i++)
+        if (strcmp(name, probe_names[i]) == 0)
+            return true;
+    if (is_checkers(name))
+        return checkers_width(name, &wide_px, message);
+    if (load_check(name, why))
+        return true;
     snprintf(message, MESSAGE_SIZE,
              "there is no scene '%.40s'; there are zone-plate, siemens, checkers[:PX], starfield, "
              "model and the loads of cupola-bench: %.700s",
              name, why);
-    return NULL;
+    return false;
 }
 
 /* All round. */

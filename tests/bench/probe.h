@@ -22,6 +22,9 @@ struct probe_scale {
 struct scene *probe_create(const char *name, const struct probe_scale *scale, const char *model,
                            char *message);
 
+/* Whether that is a scene's name, else false with one line in `message`; draws nothing. */
+bool probe_check(const char *name, char *message);
+
 /* The five, NULL at the end. */
 extern const char *const probe_names[];
 

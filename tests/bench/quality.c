@@ -9,6 +9,7 @@
 #include "headless.h"
 #include "json.h"
 #include "probe.h"
+#include "quality_check.h"
 #include "quality_options.h"
 
 /* A machine without any GL context: Meson counts it as skipped. */
@@ -84,19 +85,6 @@ static struct probe_scale scale_of(const struct cupola_lens *lens, int size_px)
     return (struct probe_scale){half_rad, slope / (0.5 * size_px)};
 }
 
-static struct setting setting_of(const struct quality_options *options, int lens, int eye)
-{
-    struct setting setting = {
-        .size_px = options->size_px,
-        .lens = options->lenses[lens].model,
-        .fov_rad = options->lenses[lens].fov_rad,
-        .density = options->density,
-        .gl = {.table = (enum cupola_table)options->table, .samples = options->samples}};
-
-    memcpy(setting.viewer_m, options->eyes_m[eye], sizeof setting.viewer_m);
-    return setting;
-}
-
 /* scene-lens-fov-centre|off */
 static void name_trial(const char *scene, const struct setting *setting, char name[128])
 {
@@ -110,7 +98,7 @@ static void name_trial(const char *scene, const struct setting *setting, char na
 static bool try_one(struct quality *quality, const char *scene, int lens, int eye)
 {
     const struct quality_options *options = &quality->options;
-    struct setting setting = setting_of(options, lens, eye);
+    struct setting setting = quality_setting(options, lens, eye);
     struct probe_scale scale = scale_of(&options->lenses[lens], options->size_px);
     struct trial_wishes wishes = options->trial;
     struct trial trial;
@@ -163,7 +151,8 @@ static bool try_all(struct quality *quality)
             for (int eye = 0; eye < options->eye_count; eye++) {
                 if (lens == 0 && eye == 0 && !is_there(options, options->scenes[scene]))
                     lens = options->lens_count;
-                else if (!try_one(quality, options->scenes[scene], lens, eye))
+                else if (!try_one(quality, options->scenes[scene], lens, eye) ||
+                         ferror(quality->file))
                     return false;
             }
     return true;
@@ -191,7 +180,7 @@ static bool run(struct quality *quality)
     fputs("\n\"trials\": [", file);
     bool done = try_all(quality);
     fputs("]}\n", file);
-    if (!done)
+    if (!done && !ferror(file))
         fprintf(stderr, "cupola-quality: %s\n", quality->message);
     return done;
 }
@@ -204,6 +193,12 @@ int main(int argc, char **argv)
 
     if (!quality_options_read(&quality.options, argc, argv, &status))
         return status;
+    if (!quality_check(&quality.options, quality.message)) {
+        fprintf(stderr, "cupola-quality: %s\n", quality.message);
+        return 2;
+    }
+    if (quality.options.dry_run)
+        return EXIT_SUCCESS;
     headless = headless_create(quality.message, sizeof quality.message);
     if (!headless) {
         fprintf(stderr, "cupola-quality: %s\n", quality.message);
@@ -215,10 +210,10 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     status = run(&quality) ? EXIT_SUCCESS : EXIT_FAILURE;
-    if (fflush(quality.file) != 0 || ferror(quality.file))
+    if (!json_close(quality.file, quality.options.output, quality.message)) {
+        fprintf(stderr, "cupola-quality: %s\n", quality.message);
         status = EXIT_FAILURE;
-    if (quality.options.output)
-        fclose(quality.file);
+    }
     headless_destroy(headless);
     return status;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "probe.h"
+#include "read_option.h"
 
 static const double degree_rad = 3.14159265358979323846 / 180;
 
@@ -39,6 +40,7 @@ static const char help[] =
     "                       and height, each pixel enlarged to SCALE px (all of it)\n"
     "  --check              also compares the reference with one that is found otherwise, which\n"
     "                       is for scenes that do not change within a pixel\n"
+    "  --dry-run            only looks whether all of this can be measured\n"
     "  --output FILE        JSON (stdout)\n"
     "  --help               this\n";
 
@@ -62,6 +64,7 @@ enum wish {
     OPTION_PICTURES,
     OPTION_CUT_OUT,
     OPTION_CHECK,
+    OPTION_DRY_RUN,
     OPTION_OUTPUT,
     OPTION_HELP
 };
@@ -86,6 +89,7 @@ static const struct option long_options[] = {
     {"pictures", required_argument, NULL, OPTION_PICTURES},
     {"cut-out", required_argument, NULL, OPTION_CUT_OUT},
     {"check", no_argument, NULL, OPTION_CHECK},
+    {"dry-run", no_argument, NULL, OPTION_DRY_RUN},
     {"output", required_argument, NULL, OPTION_OUTPUT},
     {"help", no_argument, NULL, OPTION_HELP},
     {0}};
@@ -107,29 +111,8 @@ static const char *const allowed[] = {
     [OPTION_YAW] = "-360 to 360",
     [OPTION_FRAMES] = "0 to 100000",
     [OPTION_CLOCK] = "auto, wall, processor, gpu",
-    [OPTION_CUT_OUT] = "X,Y from 0 to 1, SIDE 1 to 16384, SCALE 1 to 64",
+    [OPTION_CUT_OUT] = "X,Y from 0 to 1, SIDE 1 to 16384 and SCALE 1 to 64, both whole",
 };
-
-static bool read_number(const char *text, double least, double most, double *number)
-{
-    char *end = NULL;
-    double value = strtod(text, &end);
-
-    if (end == text || *end || !(value >= least && value <= most))
-        return false;
-    *number = value;
-    return true;
-}
-
-static bool read_whole(const char *text, int least, int most, int *number)
-{
-    double value;
-
-    if (!read_number(text, least, most, &value) || value != (int)value)
-        return false;
-    *number = (int)value;
-    return true;
-}
 
 /* NAME:DEG */
 static bool read_lens(char *word, struct cupola_lens *lens)
@@ -212,16 +195,6 @@ static bool add_list(struct quality_options *options, int option, char *list, co
     return any;
 }
 
-static bool take_clock(struct quality_options *options, const char *word)
-{
-    for (int i = 0; i < CLOCKS; i++)
-        if (strcmp(word, clock_names[i]) == 0) {
-            options->trial.cost.clock = (enum clock)i;
-            return true;
-        }
-    return false;
-}
-
 static bool take_cut_out(const char *value, struct cut_out *cut_out)
 {
     double numbers[4];
@@ -233,6 +206,8 @@ static bool take_cut_out(const char *value, struct cut_out *cut_out)
             return false;
     if (!(numbers[2] >= 1 && numbers[2] <= 16384 && numbers[3] >= 1 && numbers[3] <= 64))
         return false;
+    if (numbers[2] != (int)numbers[2] || numbers[3] != (int)numbers[3])
+        return false;
     cut_out->x = numbers[0];
     cut_out->y = numbers[1];
     cut_out->side_px = (int)numbers[2];
@@ -240,23 +215,14 @@ static bool take_cut_out(const char *value, struct cut_out *cut_out)
     return true;
 }
 
-static bool take(struct quality_options *options, int option, char *value)
+/* What each trial is told. */
+static bool take_wish(struct trial_wishes *trial, int option, const char *value)
 {
-    struct trial_wishes *trial = &options->trial;
     double yaw_deg;
 
     switch (option) {
-    case OPTION_SIZE:
-        return read_whole(value, 16, 16384, &options->size_px);
-    case OPTION_SAMPLES:
-        return read_whole(value, 1, 64, &options->samples);
-    case OPTION_TABLE:
-        options->table = cupola_table_find(value);
-        return options->table >= 0;
     case OPTION_RAYS:
         return read_whole(value, 1, 65536, &trial->rays);
-    case OPTION_DENSITY:
-        return read_number(value, 1.0 / 16, 16, &options->density);
     case OPTION_REFERENCE_DENSITY:
         return read_number(value, 1.0 / 16, 16, &trial->reference_density);
     case OPTION_STEPS:
@@ -271,10 +237,7 @@ static bool take(struct quality_options *options, int option, char *value)
     case OPTION_FRAMES:
         return read_whole(value, 0, 100000, &trial->cost.frames);
     case OPTION_CLOCK:
-        return take_clock(options, value);
-    case OPTION_MODEL:
-        options->model = value;
-        return true;
+        return read_clock(value, &trial->cost.clock);
     case OPTION_PICTURES:
         trial->cut_out.folder = value;
         return true;
@@ -283,11 +246,33 @@ static bool take(struct quality_options *options, int option, char *value)
     case OPTION_CHECK:
         trial->check = true;
         return true;
+    }
+    return false;
+}
+
+static bool take(struct quality_options *options, int option, char *value)
+{
+    switch (option) {
+    case OPTION_SIZE:
+        return read_whole(value, 16, 16384, &options->size_px);
+    case OPTION_SAMPLES:
+        return read_whole(value, 1, 64, &options->samples);
+    case OPTION_TABLE:
+        options->table = cupola_table_find(value);
+        return options->table >= 0;
+    case OPTION_DENSITY:
+        return read_number(value, 1.0 / 16, 16, &options->density);
+    case OPTION_MODEL:
+        options->model = value;
+        return true;
     case OPTION_OUTPUT:
         options->output = value;
         return true;
+    case OPTION_DRY_RUN:
+        options->dry_run = true;
+        return true;
     }
-    return false;
+    return take_wish(&options->trial, option, value);
 }
 
 static void set_defaults(struct quality_options *options)
@@ -315,23 +300,28 @@ static void set_defaults(struct quality_options *options)
         add_list(options, OPTION_METHOD, methods, &word);
 }
 
+static struct quality_options first_values(void)
+{
+    return (struct quality_options){.methods = {{"none", {.method = CUPOLA_ANTIALIASING_NONE}}},
+                                    .method_count = 1,
+                                    .size_px = 1024,
+                                    .density = 1,
+                                    .table = CUPOLA_TABLE_TILES,
+                                    .model = "/usr/share/glmark2/models/horse.3ds",
+                                    .trial = {.rays = 256,
+                                              .reference_density = 2,
+                                              .steps = 20,
+                                              .shimmer_rays = 64,
+                                              .yaw_rad = 0.1 * degree_rad,
+                                              .cost = {.frames = 20, .warm_up = 2},
+                                              .cut_out = {.scale = 1}}};
+}
+
 bool quality_options_read(struct quality_options *options, int argc, char **argv, int *status)
 {
     int option, index = 0;
 
-    *options = (struct quality_options){.methods = {{"none", {.method = CUPOLA_ANTIALIASING_NONE}}},
-                                        .method_count = 1,
-                                        .size_px = 1024,
-                                        .density = 1,
-                                        .table = CUPOLA_TABLE_TILES,
-                                        .model = "/usr/share/glmark2/models/horse.3ds",
-                                        .trial = {.rays = 256,
-                                                  .reference_density = 2,
-                                                  .steps = 20,
-                                                  .shimmer_rays = 64,
-                                                  .yaw_rad = 0.1 * degree_rad,
-                                                  .cost = {.frames = 20, .warm_up = 2},
-                                                  .cut_out = {.scale = 1}}};
+    *options = first_values();
     *status = 2;
     while ((option = getopt_long(argc, argv, "", long_options, &index)) != -1) {
         if (option == OPTION_HELP) {
@@ -351,6 +341,12 @@ bool quality_options_read(struct quality_options *options, int argc, char **argv
     }
     if (optind < argc) {
         fprintf(stderr, "cupola-quality: '%s' is no option; see --help\n", argv[optind]);
+        return false;
+    }
+    if (options->trial.cut_out.side_px > 0 && !options->trial.cut_out.folder) {
+        fputs(
+            "cupola-quality: --cut-out is a part of pictures, and there is no --pictures FOLDER\n",
+            stderr);
         return false;
     }
     set_defaults(options);

@@ -22,6 +22,7 @@ struct quality_options {
     struct trial_wishes trial;
     const char *model;
     const char *output; /* NULL: stdout */
+    bool dry_run;       /* nothing is measured */
 };
 
 /* True to go on; else `status` is what to exit with, and it has been said why. */

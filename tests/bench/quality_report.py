@@ -1,12 +1,17 @@
 """Tables of how good pictures are: quality_report.py FOLDER QUALITY.json...
 
-The files are parts of one report, all from one machine and renderer. Writes FOLDER/quality.md.
+The files are parts of one report: one machine and renderer, and the same size, rays, steps and
+methods; what was measured otherwise is a report of its own, in another folder. Writes
+FOLDER/quality.md.
 """
 
 import json
 import os
 import sys
 
+# What the parts of a report have in common, besides sizes and methods.
+MACHINE = ("renderer", "processor", "clock", "llvmpipe_threads", "gl_version")
+SETTINGS = ("density", "samples", "yaw_deg", "table", "rays", "steps", "shimmer_rays", "frames")
 # What is promised of methods at this lens; the rest of a promise is in `bars`.
 LENS, FOV_DEG = "hemispheric", 180
 CONE, ADAPTIVE, FOOTPRINT = "cone:4", "adaptive", "footprint"
@@ -26,23 +31,54 @@ def mean(values):
     return None if not values or None in values else sum(values) / len(values)
 
 
+def refuse(text):
+    sys.exit(f"quality_report.py: {text}")
+
+
+def read_part(path):
+    """What one run of cupola-quality wrote."""
+    try:
+        with open(path, encoding="utf-8") as source:
+            part = json.load(source)
+    except (OSError, ValueError) as error:
+        refuse(f"'{path}' is no whole result: {error}")
+    for keys, found in ((("machine", "trials", *SETTINGS), part),
+                        (MACHINE, part.get("machine") if isinstance(part, dict) else None)):
+        missing = [key for key in keys if not isinstance(found, dict) or key not in found]
+        if missing:
+            refuse(f"'{path}' is no result of cupola-quality: it has no {missing[0]}")
+    try:
+        for trial in part["trials"]:
+            trial_lines(trial)
+    except (AttributeError, KeyError, TypeError, ValueError):
+        refuse(f"'{path}' is no result of cupola-quality: its trials are none")
+    return part
+
+
+def settings_of(part):
+    """All that parts of one report have in common, by name."""
+    trials = part["trials"]
+    return {
+        **{key: part["machine"][key] for key in MACHINE}, **{key: part[key] for key in SETTINGS},
+        "size_px": " and ".join(sorted({f"{trial['size_px']:g}" for trial in trials})),
+        "methods": " and ".join(sorted({", ".join(by_name(trial)) for trial in trials})),
+    }
+
+
 def read_parts(paths):
-    parts = []
-    for path in paths:
-        try:
-            with open(path, encoding="utf-8") as source:
-                parts.append(json.load(source))
-        except (OSError, ValueError) as error:
-            sys.exit(f"quality_report.py: '{path}' is no whole result: {error}")
-    for key in ("renderer", "processor", "clock", "llvmpipe_threads"):
-        found = {part["machine"][key] for part in parts}
-        if len(found) > 1:
-            sys.exit(f"quality_report.py: parts of different {key}: {', '.join(sorted(found))}")
-    for key in ("density", "samples", "yaw_deg", "table"):
-        found = {str(part[key]) for part in parts}
-        if len(found) > 1:
-            sys.exit(f"quality_report.py: parts of different {key}: {', '.join(sorted(found))}")
-    return parts
+    if not paths:
+        refuse("allowed: FOLDER QUALITY.json...")
+    parts = [(path, part) for path, part in ((path, read_part(path)) for path in paths)
+             if part["trials"]]
+    if not parts:
+        refuse("there is no trial in these files")
+    first_path, first = parts[0][0], settings_of(parts[0][1])
+    for path, part in parts:
+        for key, value in settings_of(part).items():
+            if value != first[key]:
+                refuse(f"'{path}' is no part of one report with '{first_path}': {key} is {value}, "
+                       f"not {first[key]}")
+    return [part for _, part in parts]
 
 
 def by_name(trial):
@@ -144,30 +180,24 @@ def trial_lines(trial):
 
 def head_lines(parts):
     part, machine = parts[0], parts[0]["machine"]
-
-    def values(key):
-        return " or ".join(f"{one:.0f}" for one in dict.fromkeys(one[key] for one in parts))
-
     return [
         "# How good the pictures are", "",
         "Made by `script/bench quality`; docs/quality.md says what each figure is.", "",
         f"- renderer: {machine['renderer']}, {machine['gl_version']}",
         f"- processor: {machine['processor']}; clock: {machine['clock']}; threads of llvmpipe: "
         f"{machine['llvmpipe_threads']}",
-        f"- reference: {values('rays')} rays per pixel",
+        f"- reference: {part['rays']:.0f} rays per pixel",
         f"- views: density {part['density']:g}, {part['samples']:.0f} samples per texel; table "
         f"{part['table']}",
-        f"- shimmer: a turn of {part['yaw_deg']:g}° in {values('steps')} steps, "
-        f"{values('shimmer_rays')} rays per pixel",
-        f"- costs: medians of {values('frames')} frames", "",
+        f"- shimmer: a turn of {part['yaw_deg']:g}° in {part['steps']:.0f} steps, "
+        f"{part['shimmer_rays']:.0f} rays per pixel",
+        f"- costs: medians of {part['frames']:.0f} frames", "",
     ]
 
 
-def main(folder, *paths):
+def main(folder=None, *paths):
     parts = read_parts(paths)
     trials = [trial for part in parts for trial in part["trials"]]
-    if not trials:
-        sys.exit("quality_report.py: there is no trial in these files")
     lines = head_lines(parts) + bar_lines(trials) + mean_lines("Means over all", trials)
     for scene in dict.fromkeys(trial["scene"] for trial in trials):
         same = [trial for trial in trials if trial["scene"] == scene]

@@ -22,6 +22,10 @@ RUN = [*SMALL, "--scene", ",".join(SCENES), "--method", ",".join(METHODS), "--st
 SLOW = [*SMALL, "--scene", "directions", "--method", ",".join(METHODS), "--steps", "0",
         "--frames", "0", "--check"]
 NO_MODEL = [*SMALL, "--scene", "model", "--model", "no-such-file"]
+# What is refused before the first frame, whatever comes before it.
+REFUSED = [["--pictures", "no-such-folder"], ["--scene", "siemens,moon"], ["--scene", "checkers:x"],
+           ["--eye", "0/0/0,0.9/0.9/0.9"], ["--cut-out", "0.5,0.5,8,2"],
+           ["--cut-out", "0.5,0.5,8.7,2", "--pictures", "."]]
 EXIT_SKIPPED = 77
 FIGURES = ["psnr_db", "ssim", "worst_db", "shimmer", "warp_ms", "warp_blits", "frame_ms",
            "frame_ratio"]
@@ -86,6 +90,40 @@ def report_faults(report):
         yield f"the report has {rows} rows of footprint, not {wished}"
 
 
+def said_in_one_line(place, command, status):
+    ran = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+    if ran.returncode != status or ran.stdout or ran.stderr.count(b"\n") != 1:
+        yield f"{place}: status {ran.returncode}, {ran.stderr.decode()}"
+
+
+def refusal_faults():
+    for options in REFUSED:
+        yield from said_in_one_line(options, [sys.argv[1], *options], 2)
+    if os.path.exists("/dev/full"):
+        full = subprocess.run([sys.argv[1], *NO_MODEL, "--output", "/dev/full"],
+                              stderr=subprocess.PIPE, check=False)
+        if full.returncode != 1 or b"/dev/full" not in full.stderr:
+            yield f"a full disk: status {full.returncode}, {full.stderr.decode()}"
+
+
+def mixture_faults(report):
+    """What is no part of one report is refused in one line."""
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "quality_report.py")
+    trial = {**report["trials"][0], "size_px": 65}
+    others = [{}, [], {**report, "trials": [1]}, {**report, "comparisons": [], "trials": None},
+              {**report, "rays": 17}, {**report, "steps": 3}, {**report, "trials": [trial]},
+              {**report, "trials": [{**trial, "size_px": 64, "methods": trial["methods"][:2]}]}]
+    yield from said_in_one_line("no file", [sys.executable, script], 1)
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [os.path.join(folder, f"{i}.json") for i in range(2)]
+        for other in others:
+            for path, part in zip(paths, (report, other)):
+                with open(path, "w", encoding="utf-8") as out:
+                    json.dump(part, out)
+            yield from said_in_one_line(f"a report with {str(other)[:60]}",
+                                        [sys.executable, script, folder, *paths], 1)
+
+
 def faults():
     report, slow, none = measure(RUN), measure(SLOW), measure(NO_MODEL)
     print("renderer:", report["machine"]["renderer"])
@@ -97,6 +135,8 @@ def faults():
     for trial in slow["trials"]:
         yield from slow_faults(trial)
     yield from report_faults(report)
+    yield from mixture_faults(report)
+    yield from refusal_faults()
 
 
 found = list(faults())

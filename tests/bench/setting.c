@@ -83,7 +83,7 @@ static double forest_radius_rad(const struct load *load, const double eye[3])
     return radius_rad;
 }
 
-bool setting_create(struct setting *setting, struct scene *scene, char *message)
+bool setting_make_dome(struct setting *setting, double eye_m[3], char *message)
 {
     struct cupola_error error = {0};
     struct cupola_rig rig = {0};
@@ -99,16 +99,25 @@ bool setting_create(struct setting *setting, struct scene *scene, char *message)
     } else {
         memcpy(rig.eye_m, setting->viewer_m, sizeof rig.eye_m);
     }
-    if (cupola_dome_create(&rig, &setting->dome, &error) < 0) {
-        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    memcpy(eye_m, rig.eye_m, sizeof rig.eye_m);
+    if (cupola_dome_create(&rig, &setting->dome, &error) >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    return false;
+}
+
+bool setting_create(struct setting *setting, struct scene *scene, char *message)
+{
+    double eye_m[3];
+
+    if (!setting_make_dome(setting, eye_m, message))
         return false;
-    }
     if (!target_create(&setting->target, setting->size_px, setting->size_px, TARGET_BYTES, message,
                        MESSAGE_SIZE)) {
         cupola_dome_destroy(&setting->dome);
         return false;
     }
-    cupola_dome_to_camera(setting->dome, rig.eye_m, setting->eye);
+    cupola_dome_to_camera(setting->dome, eye_m, setting->eye);
     setting->scene = scene;
     setting->lit_pixels = count_lit_pixels(setting);
     place_camera(setting, scene);

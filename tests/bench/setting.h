@@ -45,6 +45,9 @@ struct setting {
     double lit_pixels;         /* of the image circle, those at the rim in part */
 };
 
+/* The dome alone, and where the viewer is, dome frame. False with one line in `message`. */
+bool setting_make_dome(struct setting *setting, double eye_m[3], char *message);
+
 /* Makes dome and target for a scene that the caller keeps. False with one line in `message`. */
 bool setting_create(struct setting *setting, struct scene *scene, char *message);
 void setting_destroy(struct setting *setting);
