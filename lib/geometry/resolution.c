@@ -1,10 +1,11 @@
-/* How well the views of a plan fit its outputs: every lit pixel asked, sorted, put into words. */
+/* How well the views of a plan fit its outputs: every lit pixel asked, and sorted. */
 #include "cupola/resolution.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "advice.h"
 #include "density.h"
 #include "error.h"
 #include "filter.h"
@@ -28,7 +29,7 @@ struct asking {
     float *sorting[2];       /* room to sort one */
     unsigned char *views;    /* that each falls to */
     double smallest_sr, largest_sr;
-    double fewest[CUPOLA_VIEWS_MAX]; /* texels per pixel along a line, for the advice */
+    struct advice_asked asked;
 };
 
 /* ---- asking ---- */
@@ -92,8 +93,9 @@ static void ask_pixel(struct asking *asking, int output, int x, int y)
     asking->columns[LEAST][i] = (float)values[1];
     asking->columns[MOST][i] = (float)values[0];
     asking->views[i] = (unsigned char)view;
-    asking->fewest[view] =
-        fmin(asking->fewest[view], fewest_texels(asking, output, view, middle_px, values[1]));
+    asking->asked.really[view] = fmin(asking->asked.really[view], values[1]);
+    asking->asked.fewest[view] =
+        fmin(asking->asked.fewest[view], fewest_texels(asking, output, view, middle_px, values[1]));
     resolution->view[view].pixels += pixels;
     resolution->pixels += pixels;
     if (solid_angle_sr > asking->largest_sr) {
@@ -251,48 +253,11 @@ static int count_texels(const cupola_plan *plan, struct cupola_resolution *resol
     return CUPOLA_OK;
 }
 
-/* ---- the advice ---- */
-
-/* Of a view's longer side, without its guard bands. */
-static double longer_side(const cupola_plan *plan, int view)
-{
-    const struct cupola_rect *rect = &plan->views[view].rect;
-    return (rect->width > rect->height ? rect->width : rect->height) - 2.0 * plan->guard_px;
-}
-
-static void advise(const struct asking *asking)
-{
-    static const double close = 0.05;
-    const cupola_plan *plan = asking->plan;
-    char *advice = asking->resolution->advice, factor[24];
-    const char *moving = plan->head_radius_m > 0 ? " for an eye that stayed here" : "";
-    double fewest = HUGE_VAL, now = 0, enough = 0;
-    for (int v = 0; v < plan->view_count; v++) {
-        if (!(asking->fewest[v] < HUGE_VAL && asking->fewest[v] > 0))
-            continue;
-        double side = longer_side(plan, v);
-        fewest = fmin(fewest, asking->fewest[v]);
-        now = fmax(now, side);
-        enough = fmax(enough, ceil(side / asking->fewest[v] - 1e-6));
-    }
-    bool finer = fewest > 1 + close && enough < now, coarser = fewest < 1 - close && enough > now;
-    double times = finer ? fewest : 1 / fewest;
-    snprintf(factor, sizeof factor, times < 100 ? "%.3g" : "%.0f", times);
-    if (asking->count == 0)
-        snprintf(advice, CUPOLA_ADVICE_MAX, "no pixel is lit");
-    else if (!finer && !coarser)
-        snprintf(advice, CUPOLA_ADVICE_MAX, "views and projector match");
-    else
-        snprintf(advice, CUPOLA_ADVICE_MAX,
-                 "views are %sx %s than the projector can show: %.0f px would do%s", factor,
-                 finer ? "finer" : "coarser", enough, finer ? moving : "");
-}
-
-static void measure(struct asking *asking)
+static int measure(struct asking *asking, struct cupola_error *error)
 {
     struct cupola_resolution *resolution = asking->resolution;
     for (int v = 0; v < asking->plan->view_count; v++)
-        asking->fewest[v] = HUGE_VAL;
+        asking->asked.fewest[v] = asking->asked.really[v] = HUGE_VAL;
     asking->smallest_sr = HUGE_VAL;
     for (int output = asking->first; output <= asking->last; output++)
         ask_output(asking, output);
@@ -302,7 +267,9 @@ static void measure(struct asking *asking)
         resolution->view[v].most_texels_per_pixel = spread_of(asking, MOST, v);
     }
     spread_degrees(asking);
-    advise(asking);
+    asking->asked.lit = asking->count > 0;
+    asking->asked.all = asking->last - asking->first + 1 == asking->plan->dome.rig.output_count;
+    return advice_give(asking->plan, &asking->asked, resolution->advice, error);
 }
 
 int cupola_resolution_measure(const cupola_plan *plan, int output,
@@ -323,12 +290,12 @@ int cupola_resolution_measure(const cupola_plan *plan, int output,
     int status = count_texels(plan, &found, error);
     if (status != CUPOLA_OK)
         return status;
-    if (make_room(&asking)) {
-        measure(&asking);
-        *resolution = found;
-    } else {
+    if (make_room(&asking))
+        status = measure(&asking, error);
+    else
         status = error_set(error, CUPOLA_ERROR_MEMORY, "no memory for the pixels of a resolution");
-    }
+    if (status == CUPOLA_OK)
+        *resolution = found;
     give_back_room(&asking);
     return status;
 }

@@ -64,7 +64,7 @@ struct cupola_resolution_place {
     double direction[3]; /* from the eye, unit length, host's camera frame */
 };
 
-enum { CUPOLA_ADVICE_MAX = 160 /* bytes of the advice of a resolution */ };
+enum { CUPOLA_ADVICE_MAX = 320 /* bytes of the advice of a resolution */ };
 
 /* How well views and projector fit together, for the plan's eye as it is. */
 struct cupola_resolution {
@@ -81,14 +81,24 @@ struct cupola_resolution {
     /* In one sentence: whether the views are finer than the projector can show or coarser, and by
      * which length of their longest side, without guard bands, they would match
      * (cupola_plan_params.view_size_px): "views are 1.8x finer than the projector can show: 720 px
-     * would do". Within 5 % they match. */
+     * would do". Within 5 % they match.
+     *
+     * Lenses of more than 275 degrees are counted as the planner does, which spares views texels
+     * that only pixels near the rim would need (at 360 degrees no size would do). Where such
+     * pixels have less than 0.95 texels along a line, or would by that length, the sentence goes
+     * on with what they have: "..., but near the rim of so wide a lens detail is lost: 0.24 texels
+     * per pixel along a line".
+     *
+     * A given view_size_px is one for all views, however few pixels fall to some of them. Where a
+     * plan without it would take less than 5/6 of the texels, the sentence ends with both numbers,
+     * unless views are coarser, or not all outputs were asked. */
     char advice[CUPOLA_ADVICE_MAX];
 };
 
 /*
  * Measures a plan. Up to 2048 x 2048 px, all outputs together, every pixel is asked, and beyond
  * every second one of a row and every second row, and so on. Takes some 1 s for so many on one
- * core, and 25 bytes a pixel meanwhile.
+ * core, and 25 bytes a pixel meanwhile; with view_size_px another plan is made to compare with.
  *
  * output      index, 0 to the rig's output_count - 1, or -1: all of them together
  * resolution  out; untouched on failure
