@@ -93,6 +93,8 @@ static const char *survey_contradiction(const struct options *o)
     if (map && wishes_drawing(o))
         return "--map draws no scene; allowed: the rig's options, --show-output, --output, "
                "--save-rig, --headless and --report";
+    if (map && o->table_given)
+        return "--table belongs to the warp, and --map has none; allowed: without it";
     if (map && o->views_given && !o->report)
         return "--layout, --views, --density and the like belong to views, and --map has none; "
                "allowed: together with --report";

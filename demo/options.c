@@ -157,6 +157,7 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
     double wished;
 
     o->views_given |= code != OPTION_TABLE;
+    o->table_given |= code == OPTION_TABLE;
     o->plan_given |= code <= OPTION_GUARD || code == OPTION_MASK || code == OPTION_SUBMISSION;
     switch (code) {
     case OPTION_LAYOUT:

@@ -82,7 +82,8 @@ struct options {
     struct optional radius_m;
 
     bool views_given; /* any of the options about views */
-    bool plan_given;  /* any of those that one perspective view has no use for */
+    bool table_given;
+    bool plan_given; /* any of those that one perspective view has no use for */
     struct cupola_plan_params plan;
     bool goal_auto; /* the plan's prices are measured */
     struct optional head_radius_m, eye_circle_m;

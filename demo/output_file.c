@@ -1,4 +1,5 @@
 /* The files that the demo writes. */
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "output_file.h"
 
 #include <errno.h>
@@ -21,6 +22,13 @@ bool output_file_check(const char *option, const char *path, char *message)
     char *directory;
     int problem = 0;
 
+    if (stat(path, &file) != 0 && lstat(path, &file) == 0 && S_ISLNK(file.st_mode)) {
+        snprintf(message, MESSAGE_SIZE,
+                 "%s: %s is a symbolic link that leads nowhere; allowed: a "
+                 "plain file, a new one or a link to a plain one",
+                 option, short_path(path).text);
+        return false;
+    }
     if (stat(path, &file) == 0 && !S_ISREG(file.st_mode)) {
         snprintf(message, MESSAGE_SIZE, "%s: %s is no plain file; allowed: a plain or a new one",
                  option, short_path(path).text);
@@ -38,6 +46,13 @@ bool output_file_check(const char *option, const char *path, char *message)
         snprintf(message, MESSAGE_SIZE, "%s: %s cannot be written: %s", option,
                  short_path(path).text, strerror(problem));
     return problem == 0;
+}
+
+char *output_file_behind_links(const char *path)
+{
+    struct stat file;
+
+    return lstat(path, &file) == 0 ? realpath(path, NULL) : strdup(path);
 }
 
 bool output_file_write(const char *path, const float *rgba, int width, int height, char *message)

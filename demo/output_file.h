@@ -6,10 +6,16 @@
 
 /*
  * Whether a file can probably be written: its directory is there and writable, and what has its
- * name is a plain file. False with one line in `message`, MESSAGE_SIZE bytes, that begins with
- * `option`.
+ * name is a plain file, behind links, too. False with one line in `message`, MESSAGE_SIZE bytes,
+ * that begins with `option`.
  */
 bool output_file_check(const char *option, const char *path, char *message);
+
+/*
+ * Where a file is to be written that has this name: links are followed, so that they stay. To be
+ * freed; NULL without memory or where the path cannot be followed, and errno says why.
+ */
+char *output_file_behind_links(const char *path);
 
 /*
  * Writes what a framebuffer shows, as PFM or PNG by the path's end. The file appears whole or not

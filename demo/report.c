@@ -11,6 +11,7 @@
 #include <cupola/resolution.h>
 
 #include "options.h"
+#include "output_file.h"
 #include "short_path.h"
 
 /* What was measured: all outputs together, then each. */
@@ -47,13 +48,14 @@ static void write_place(FILE *file, const char *key, const struct cupola_resolut
 {
     static const double degrees = 180 / 3.14159265358979323846;
     const double *d = place->direction;
+    double yaw_deg = d[0] == 0 && d[2] == 0 ? 0 : degrees * atan2(-d[0], -d[2]);
 
+    /* 0 is added so that none is -0. */
     fprintf(file,
             "      \"%s\": {\"pixels_per_deg\": %.6g, \"x_px\": %.6g, \"y_px\": %.6g, "
             "\"yaw_deg\": %.6g, \"pitch_deg\": %.6g},\n",
-            key, pixels_per_degree, place->pixel_px[0], place->pixel_px[1],
-            d[0] == 0 && d[2] == 0 ? 0 : degrees * atan2(-d[0], -d[2]),
-            degrees * atan2(d[1], hypot(d[0], d[2])));
+            key, pixels_per_degree, place->pixel_px[0], place->pixel_px[1], yaw_deg + 0,
+            degrees * atan2(d[1], hypot(d[0], d[2])) + 0);
 }
 
 static void write_seen_view(FILE *file, int index, const struct cupola_view_resolution *view)
@@ -111,7 +113,7 @@ static void write_object(FILE *file, const struct measured *measured)
     const struct cupola_rig *rig = cupola_dome_rig(cupola_plan_dome(measured->plan));
 
     fprintf(file, "{\n  \"advice\": \"%s\",\n  \"eye_m\": [%.6g, %.6g, %.6g],\n  ",
-            measured->all.advice, rig->eye_m[0], rig->eye_m[1], rig->eye_m[2]);
+            measured->all.advice, rig->eye_m[0] + 0, rig->eye_m[1] + 0, rig->eye_m[2] + 0);
     write_never_sampled(file, measured->all.texels, measured->all.texels_never_sampled);
     fputs(",\n  \"outputs\": [", file);
     for (int i = 0; i < rig->output_count; i++)
@@ -135,10 +137,11 @@ static bool keep(FILE *file, const char *temporary, const char *path)
     return false;
 }
 
-static bool write_whole(const char *path, const struct measured *measured)
+static bool write_whole(const char *name, const struct measured *measured)
 {
-    size_t size = strlen(path) + 32;
-    char *temporary = malloc(size);
+    char *path = output_file_behind_links(name);
+    size_t size = path ? strlen(path) + 32 : 0;
+    char *temporary = path ? malloc(size) : NULL;
     FILE *file = NULL;
     bool written = false;
 
@@ -151,6 +154,7 @@ static bool write_whole(const char *path, const struct measured *measured)
         written = keep(file, temporary, path);
     }
     free(temporary);
+    free(path);
     return written;
 }
 

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "option_names.h"
+#include "output_file.h"
 #include "short_path.h"
 
 enum { TABLE_RUNS = 4 };
@@ -23,6 +24,7 @@ struct series {
 
 struct stats {
     const char *path;
+    char *whole;     /* behind links, NULL until written */
     char *temporary; /* NULL until written, and for stdout */
     bool warm;       /* the first frame is over */
     struct series frame_ms;
@@ -47,6 +49,7 @@ void stats_destroy(struct stats *stats)
     if (stats->temporary)
         unlink(stats->temporary);
     free(stats->temporary);
+    free(stats->whole);
     free(stats->frame_ms.values);
     free(stats->views_ms.values);
     free(stats->warp_ms.values);
@@ -217,21 +220,29 @@ static void write_object(struct stats *stats, const struct show *show, const str
     fprintf(file, "  \"peak_rss_bytes\": %.0f\n}\n", (double)usage.ru_maxrss * 1024);
 }
 
+/* Of the file and of the one that it is until it is whole; errno says what is wrong. */
+static bool name_files(struct stats *stats)
+{
+    stats->whole = output_file_behind_links(stats->path);
+    if (!stats->whole)
+        return false;
+    size_t length = strlen(stats->whole) + 32;
+    stats->temporary = malloc(length);
+    if (stats->temporary)
+        snprintf(stats->temporary, length, "%s.%ld.tmp", stats->whole, (long)getpid());
+    return stats->temporary != NULL;
+}
+
 bool stats_write(struct stats *stats, const struct show *show, const struct scene *scene,
                  const char *renderer, char *message)
 {
     bool to_stdout = strcmp(stats->path, "-") == 0;
-    size_t length = strlen(stats->path) + 32;
     FILE *file = stdout;
     bool failed;
 
     if (!to_stdout) {
-        stats->temporary = malloc(length);
-        if (!stats->temporary) {
-            snprintf(message, MESSAGE_SIZE, "--stats: out of memory");
-            return false;
-        }
-        snprintf(stats->temporary, length, "%s.%ld.tmp", stats->path, (long)getpid());
+        if (!name_files(stats))
+            goto fail;
         file = fopen(stats->temporary, "wx");
         if (!file)
             goto fail;
@@ -252,7 +263,7 @@ bool stats_keep(struct stats *stats, char *message)
 {
     if (!stats->temporary)
         return true;
-    if (rename(stats->temporary, stats->path) != 0) {
+    if (rename(stats->temporary, stats->whole) != 0) {
         snprintf(message, MESSAGE_SIZE, "--stats: %s cannot be written: %s",
                  short_path(stats->path).text, strerror(errno));
         return false;

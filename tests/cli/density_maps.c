@@ -1,6 +1,7 @@
 /* --map density: numbers, colours, the scale; and what goes not together with it or --report. */
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cupola/image_file.h>
@@ -154,6 +155,9 @@ static void what_does_not_go_together_is_a_usage_error(void **state)
         {"--map density --output y.png --label a@0,0", "draws no scene"},
         {"--map density --output y.png --fullscreen", "draws no scene"},
         {"--map density --output y.png --density 2", "together with --report"},
+        {"--map density --output y.png --table points", "--table belongs to the warp"},
+        {"--map density --output y.png --table points --report -", "--table belongs"},
+        {"--map density --output y.png --reference 4", "--preview and --map"},
         {"--map density --output y.png --perspective", "one of"},
         {"--map density --output y.png --rig y.png", "same file"},
         {"--map density --output y.png --report y.png", "same file"},
@@ -176,6 +180,40 @@ static void what_does_not_go_together_is_a_usage_error(void **state)
         assert_int_equal(process_count_files(), files);
         assert_string_equal(process.out, "");
     }
+}
+
+/* As --save-rig does: what the link leads to is written, and the link stays. */
+static void links_are_followed(void **state)
+{
+    static const char *const options[] = {"--size 40x40 --report soft.json",
+                                          "--size 40x40 --frames 1 --output x.png "
+                                          "--stats soft.json"};
+    struct stat file;
+
+    (void)state;
+    assert_int_equal(symlink("hard.json", "soft.json"), 0);
+    for (int i = 0; i < 2; i++) {
+        process_write_file("hard.json", "");
+        demo_run(&process, options[i]);
+        assert_int_equal(lstat("soft.json", &file), 0);
+        assert_true(S_ISLNK(file.st_mode));
+        assert_int_equal(stat("hard.json", &file), 0);
+        check_at_least((double)file.st_size, 100);
+    }
+    assert_int_equal(unlink("hard.json"), 0);
+    process_run(&process, "--size 40x40 --report soft.json", NULL);
+    assert_int_equal(process.status, 1);
+    assert_non_null(strstr(process.err, "leads nowhere"));
+    assert_int_equal(unlink("soft.json"), 0);
+}
+
+/* A direction straight ahead has no sign. */
+static void no_number_is_minus_zero(void **state)
+{
+    (void)state;
+    demo_run(&process, "--size 41x41 --report -");
+    assert_null(strstr(process.out, ": -0,"));
+    assert_null(strstr(process.out, ": -0}"));
 }
 
 static void what_cannot_be_written_is_told(void **state)
@@ -206,6 +244,8 @@ int main(void)
         cmocka_unit_test(each_output_has_its_own),
         cmocka_unit_test(a_map_may_come_with_a_report_and_a_rig),
         cmocka_unit_test(what_does_not_go_together_is_a_usage_error),
+        cmocka_unit_test(links_are_followed),
+        cmocka_unit_test(no_number_is_minus_zero),
         cmocka_unit_test(what_cannot_be_written_is_told),
     };
     return cmocka_run_group_tests_name("cli-density_maps", tests, process_enter_directory,
