@@ -321,7 +321,8 @@ CUPOLA_API int cupola_gl_points(cupola_gl *gl, int output, unsigned int *texture
 /*
  * The density map of an output (resolution.h), made by the GPU: a GL_TEXTURE_2D of the output's
  * size, R32F: the solid angle in sr that each pixel covers, seen by the eye as it is now; 0 where a
- * pixel is not lit. In single precision, to 1e-5 of itself, within 3 px of the rim to 1e-4.
+ * pixel is not lit. It is that of cupola_density_map to 1e-5 of itself, within 3 px of the rim to
+ * 1e-4, for image circles up to 1000 px wide; larger ones of steep lenses lose in proportion.
  * Made at the first call; after the eye has moved the next call makes it anew, in the same texture
  * (on the CPU where the GL cannot draw into floats: not for every frame). Lives as long as gl.
  *
