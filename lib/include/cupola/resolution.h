@@ -53,7 +53,7 @@ struct cupola_view_resolution {
     struct cupola_spread most_texels_per_pixel; /* along the other line, at right angles to it */
     double texels;                              /* of the view's rectangle, guard band included */
     /* Of these, how many no pixel of any output touches, with a filter that keeps to the guard
-     * band: what masks (gl_params.h) keep from being shaded, to some 2 %. */
+     * band: what masks (gl_params.h) keep from being shaded, to some 3 %. */
     double texels_never_sampled;
 };
 
