@@ -50,18 +50,19 @@ enum cupola_pattern {
 
 /* All zero: bilinear. */
 struct cupola_filter {
-    enum cupola_antialiasing method;
+    enum cupola_antialiasing method; /* 0: bilinear */
     /* Rays of a cone; at most, where their number is not the same everywhere. 1 to
      * CUPOLA_RAYS_MAX; 0: 4. Texture: texels, 4 or 9; 0: 4. None: 0 or 1. */
     int samples;
     enum cupola_pattern pattern; /* of cone and adaptive */
     bool turned;                 /* by an angle that differs from pixel to pixel, by `seed` */
-    uint32_t seed;
+    uint32_t seed;               /* of those angles, and of the noise of dither_bits */
 };
 
 /* One ray of a pixel. */
 struct cupola_pixel_ray {
-    double x_px, y_px;   /* from the pixel's centre */
+    double x_px;         /* to the right, from the pixel's centre */
+    double y_px;         /* upwards, likewise */
     double weight;       /* those of a pixel sum to 1 */
     double direction[3]; /* unit length, host's camera frame */
 };
