@@ -11,6 +11,7 @@
 #include <cupola/text.h>
 
 #include "options.h"
+#include "output_file.h"
 #include "short_path.h"
 
 /* Of the scale, in units of its letters; TICKS numbers along a bar of STEPS colours. */
@@ -192,7 +193,7 @@ static int write_file(const char *path, const float *map, struct canvas *canvas,
 {
     struct scale scale = scale_of(map, (size_t)canvas->width * (size_t)canvas->height);
 
-    if (options_is_pfm(path)) {
+    if (output_file_is_pfm(path)) {
         copy_numbers(map, canvas);
         return cupola_pfm_write(path, canvas->rgba, canvas->width, canvas->height, error);
     }

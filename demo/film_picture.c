@@ -12,6 +12,7 @@
 #include <cupola/image_file.h>
 
 #include "options.h"
+#include "output_file.h"
 #include "short_path.h"
 
 enum { SIDE_MAX = 32768 };
@@ -83,7 +84,7 @@ bool film_picture_read(const char *path, struct film_picture *picture, char *mes
     struct cupola_error error = {0};
 
     *picture = (struct film_picture){0};
-    if (!options_is_pfm(path))
+    if (!output_file_is_pfm(path))
         return read_bytes(path, picture, message);
     if (cupola_pfm_read(path, &picture->floats, &picture->width, &picture->height, &error) >= 0)
         return true;

@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "option_list.h"
+#include "output_file.h"
 
 enum { SEED_MAX = 1000000 };
 
@@ -58,7 +59,7 @@ const char *filter_options_contradiction(const struct options *options)
         return "--samples of --aa texture are texels; allowed: 4 or 9";
     if (filter->method == CUPOLA_ANTIALIASING_NONE && filter->samples > 1)
         return "--aa none is of one texel; allowed with it: --samples 1";
-    if (options->dither_bits && options->output && options_is_pfm(options->output))
+    if (options->dither_bits && options->output && output_file_is_pfm(options->output))
         return "--dither is for targets of 8 bits, and a .pfm file has floats; allowed: without it";
     return NULL;
 }

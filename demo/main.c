@@ -109,9 +109,9 @@ int main(int argc, char **argv)
         setup.overlays = options.mark_count > 0;
         setup.source = options.show_as;
         setup.output = options_output(&options);
-        setup.picture_of_numbers = options.show && options_is_pfm(options.show);
+        setup.picture_of_numbers = options.show && output_file_is_pfm(options.show);
         setup.reference = options.reference > 0;
-        setup.floats = options.output && options_is_pfm(options.output) && !setup.reference;
+        setup.floats = options.output && output_file_is_pfm(options.output) && !setup.reference;
         status = run(&options, &setup, message);
         if (status != STATUS_OK)
             return complain(status, message);

@@ -5,14 +5,9 @@
 #include <string.h>
 #include <strings.h>
 
-#include "options.h"
+#include "option_values.h"
+#include "output_file.h"
 #include "short_path.h"
-
-bool options_is_pfm(const char *path)
-{
-    size_t length = strlen(path);
-    return length > 4 && strcasecmp(path + length - 4, ".pfm") == 0;
-}
 
 static bool is_png(const char *path)
 {
@@ -35,7 +30,7 @@ bool value_output_path(const struct value_context *context, const char *text, co
 {
     if (is_option(context, text))
         return false;
-    if (is_png(text) || options_is_pfm(text)) {
+    if (is_png(text) || output_file_is_pfm(text)) {
         *path = text;
         return true;
     }

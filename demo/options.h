@@ -140,9 +140,6 @@ bool options_scene_is_numbers(const struct options *options);
 /* Says on stderr that only one of the rig's outputs is shown, unless the user chose it. */
 void options_notice(const struct options *options, const struct cupola_rig *rig);
 
-/* Whether a path ends in .pfm: a file of floats. */
-bool options_is_pfm(const char *path);
-
 /* Prints --help to stdout. */
 void options_print_help(void);
 

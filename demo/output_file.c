@@ -6,14 +6,21 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cupola/gl.h>
 #include <cupola/image_file.h>
 
-#include "options.h"
+#include "option_values.h"
 #include "short_path.h"
+
+bool output_file_is_pfm(const char *path)
+{
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".pfm") == 0;
+}
 
 bool output_file_check(const char *option, const char *path, char *message)
 {
@@ -58,7 +65,7 @@ char *output_file_behind_links(const char *path)
 bool output_file_write(const char *path, const float *rgba, int width, int height, char *message)
 {
     struct cupola_error error = {0};
-    int status = options_is_pfm(path) ? cupola_pfm_write(path, rgba, width, height, &error)
+    int status = output_file_is_pfm(path) ? cupola_pfm_write(path, rgba, width, height, &error)
                                       : cupola_png_write(path, rgba, width, height, &error);
 
     if (status < 0)

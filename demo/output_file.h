@@ -4,6 +4,9 @@
 
 #include <stdbool.h>
 
+/* Whether a path ends in .pfm: a file of floats. */
+bool output_file_is_pfm(const char *path);
+
 /*
  * Whether a file can probably be written: its directory is there and writable, and what has its
  * name is a plain file, behind links, too. False with one line in `message`, MESSAGE_SIZE bytes,
