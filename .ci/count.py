@@ -12,8 +12,8 @@ import xml.etree.ElementTree
 
 build, status = pathlib.Path(sys.argv[1]), int(sys.argv[2])
 passed = failed = 0
-log = build / "meson-logs" / "testlog-full.json"
-lines = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+logs = list((build / "meson-logs").glob("testlog-*.json"))
+lines = logs[0].read_text(encoding="utf-8").splitlines() if len(logs) == 1 else []
 for line in lines:
     test = json.loads(line)
     name = test["name"].split(" / ")[-1]
