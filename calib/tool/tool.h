@@ -74,6 +74,8 @@ struct tool {
     double cross_px[2]; /* where the cross-hair is */
 
     bool shows_legend; /* current values with units */
+    bool text_on_dome; /* legend, help, warning and notice: upright as the viewer sees the dome;
+                        * else plain, over the window */
     bool shows_labels; /* degrees and values on the dome */
     bool shows_help;
     enum preview preview;

@@ -1,0 +1,19 @@
+/* The tool in a window. */
+#ifndef WINDOW_H
+#define WINDOW_H
+
+#include "tool.h"
+
+struct window_wishes {
+    int monitor;       /* index, 0: the primary one */
+    int width, height; /* of a window; 0: the whole monitor */
+    int swap_interval; /* 0: as fast as it can */
+};
+
+/*
+ * Opens a window and runs until tool->ends or it is closed. Keys go to the tool as they are pressed
+ * and repeated. Returns an exit status, with one line in `message` unless STATUS_OK.
+ */
+int window_run(struct tool *tool, const struct window_wishes *wishes, char *message);
+
+#endif
