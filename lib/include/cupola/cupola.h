@@ -24,5 +24,6 @@
 #include "source.h"
 #include "theatre.h"
 #include "version.h"
+#include "viewer.h"
 
 #endif

@@ -5,9 +5,10 @@
  * The filter is the critically damped g-h filter (fading memory of degree 1; Brookner, Tracking and
  * Kalman Filtering Made Easy, 1998, section 1.2.6) for reports at any intervals: position and
  * velocity per axis, corrected by g = 1 - theta^2 and h = (1 - theta)^2 of what a report differs
- * from the prediction, theta = exp(-interval / memory_s).
+ * from the prediction, theta = exp(-interval / memory_s). A velocity that does not change is
+ * followed without lag.
  *
- * A plain value without memory of its own; one thread at a time.
+ * A plain value: nothing is allocated, and a copy is a viewer of its own. One thread at a time.
  */
 #ifndef CUPOLA_VIEWER_H
 #define CUPOLA_VIEWER_H
@@ -20,30 +21,38 @@
 extern "C" {
 #endif
 
-/* How a viewer is followed; zero means the default in every member. */
+/* How a viewer is followed; zero means the default in every member but radius_m. */
 struct cupola_viewer_params {
-    double memory_s; /* how long a report counts: larger is calmer and later; 1e-4 to 10; 0: 0.05 */
-    double horizon_s; /* the furthest ahead of the last report that is predicted; beyond it the eye
-                       * stays where it is; up to 1; 0: 0.1; below 0: nothing is predicted */
-    double radius_m;  /* of the screen, or of the head's sphere: the eye is kept inside of reach */
-    double reach;     /* of radius_m round `center_m`, above 0 and below 1; 0: 0.9 */
-    double center_m[3]; /* dome frame */
+    /* How long a report counts: larger is calmer and later; 1e-4 to 10. 0: 0.02, which predicts
+     * heads best where reports err by millimetres. */
+    double memory_s;
+    /* The furthest ahead of the last report that is predicted, up to 1: beyond it the eye stays
+     * where it is. 0: 0.1; below 0: nothing is predicted. */
+    double horizon_s;
+    /* Of the screen, or of the sphere in which the eye may move (head_radius_m of plan.h); above 0,
+     * up to 1e6. */
+    double radius_m;
+    /* The eye is kept inside of this part of radius_m round center_m; above 0 and below 1. 0: 0.9 */
+    double reach;
+    /* Dome frame; up to 1e6 each. The screen's is 0, a head's sphere has the rig's eye. */
+    double center_m[3];
 };
 
-/* All zero before the first cupola_viewer_start. */
+/* All zero before the first cupola_viewer_start. For reading only. */
 struct cupola_viewer {
     struct cupola_viewer_params params; /* complete */
-    int reports;                        /* taken so far */
-    int refused;                        /* late, twice the same time, or no finite numbers */
-    double time_s;                      /* of the last report that was taken */
-    double position_m[3];               /* then, filtered; dome frame */
-    double velocity_m_s[3];             /* then, filtered */
+    bool started;
+    long reports;           /* taken so far */
+    long refused;           /* by cupola_viewer_report */
+    double time_s;          /* of the last report that was taken */
+    double position_m[3];   /* then, filtered; dome frame; may be out of reach */
+    double velocity_m_s[3]; /* then, filtered */
 };
 
 /*
  * Forgets whatever was and begins.
  *
- * viewer   out: all of it
+ * viewer   out: all of it; untouched where CUPOLA_OK is not returned
  * params   radius_m is needed
  * error    may be NULL
  * returns  CUPOLA_OK, or CUPOLA_ERROR_ARGUMENT with the value and what is allowed
@@ -55,13 +64,14 @@ CUPOLA_API int cupola_viewer_start(struct cupola_viewer *viewer,
                                    struct cupola_error *error);
 
 /*
- * Takes a report.
+ * Takes a report. After a gap of more than a second (of more than 10 memory_s where that is longer)
+ * the filter begins anew with it, at rest.
  *
  * time_s      of the report, by any clock that only goes forward
  * position_m  dome frame
- * returns     1: taken; 0: refused and counted, since it is not later than the last one, or is no
- *             finite number; CUPOLA_ERROR_ARGUMENT for a pointer that is NULL or a viewer that was
- *             not started
+ * returns     1: taken; 0: refused and counted, since it is not later than the last one that was
+ *             taken, holds a number that is not finite, or is more than 100 radius_m from center_m;
+ *             CUPOLA_ERROR_ARGUMENT for a pointer that is NULL or a viewer that was not started
  * thread      any, one at a time
  * since       0.1
  */
@@ -69,11 +79,13 @@ CUPOLA_API int cupola_viewer_report(struct cupola_viewer *viewer, double time_s,
                                     const double position_m[3]);
 
 /*
- * Where the eye is at a time, for cupola_gl_set_eye.
+ * Where the eye is at a time, for cupola_gl_set_eye. Moments before the last report have its
+ * position.
  *
  * time_s   by the same clock; when the frame will be seen
  * eye_m    out: dome frame, inside of reach; untouched unless 1 is returned
- * returns  1; 0 where nothing was reported yet; CUPOLA_ERROR_ARGUMENT as above
+ * returns  1; 0 where nothing was reported yet; CUPOLA_ERROR_ARGUMENT for a pointer that is NULL, a
+ *          viewer that was not started, or a time that is not finite
  * thread   any, one at a time
  * since    0.1
  */
