@@ -1,4 +1,5 @@
 /* Tables of an output, drawn by the GL; table_upload.c has them where it cannot. */
+#include "table_gl.h"
 #include "error.h"
 #include "gl_objects.h"
 #include "instance.h"
@@ -11,8 +12,8 @@ static bool depends_on_eye(enum cupola_table stage)
            stage == CUPOLA_TABLE_COORDINATES;
 }
 
-static GLuint table_program_create(const cupola_gl *gl, int output, enum cupola_table stage,
-                                   struct cupola_error *error)
+GLuint table_program_create(const cupola_dome *dome, int output, int view_count,
+                            enum cupola_table stage, struct cupola_error *error)
 {
     static const struct shader_file files[] = {
         {"varying.glsl", shader_varying_glsl}, {"lens.glsl", shader_lens_glsl},
@@ -20,14 +21,8 @@ static GLuint table_program_create(const cupola_gl *gl, int output, enum cupola_
         {"table.frag", shader_table_frag},
     };
     char defines[PROGRAM_DEFINES_MAX];
-    program_defines(&gl->plan.dome, output, gl->plan.view_count, (int)stage, defines);
-    GLuint program = program_create(defines, files, 5, error);
-    if (!program)
-        return 0;
-    glUseProgram(program);
-    program_set_projector(program, &gl->plan.dome, output);
-    program_set_views(program, &gl->plan);
-    return program;
+    program_defines(dome, output, view_count, (int)stage, defines);
+    return program_create(defines, files, 5, error);
 }
 
 /* With its program in use and its framebuffer bound. */
@@ -52,9 +47,13 @@ static GLuint table_draw(const cupola_gl *gl, int output, enum cupola_table stag
                          struct table_pass *redraw, struct cupola_error *error)
 {
     const struct cupola_output *size = &gl->plan.dome.rig.outputs[output];
-    GLuint program = table_program_create(gl, output, stage, error);
+    GLuint program =
+        table_program_create(&gl->plan.dome, output, gl->plan.view_count, stage, error);
     if (!program)
         return 0;
+    glUseProgram(program);
+    program_set_projector(program, &gl->plan.dome, output);
+    program_set_views(program, &gl->plan);
     GLuint table = texture_create(GL_RGBA32F, size->width_px, size->height_px, GL_NEAREST, error);
     GLuint framebuffer = table ? framebuffer_create(table, "a table of floats", error) : 0;
     if (framebuffer)

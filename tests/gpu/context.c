@@ -78,6 +78,22 @@ GLuint context_compile(GLenum kind, const char *source)
     return shader;
 }
 
+GLuint context_program(const char *vertex, const char *fragment)
+{
+    const GLuint shaders[] = {context_compile(GL_VERTEX_SHADER, vertex),
+                              context_compile(GL_FRAGMENT_SHADER, fragment)};
+    GLint linked = GL_FALSE;
+    GLuint program = glCreateProgram();
+    for (int i = 0; i < 2; i++) {
+        glAttachShader(program, shaders[i]);
+        glDeleteShader(shaders[i]);
+    }
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    assert_int_equal(linked, GL_TRUE);
+    return program;
+}
+
 void context_read_pixels(int width, int height, float *rgba)
 {
     GLint buffer = GL_NONE, type = GL_FLOAT;

@@ -28,6 +28,8 @@ bool context_has_floats(void);
  */
 const char *context_shader_head(void);
 GLuint context_compile(GLenum kind, const char *source);
+/* Of a vertex and a fragment shader without that line. */
+GLuint context_program(const char *vertex, const char *fragment);
 
 /* glReadPixels of RGBA as floats, where OpenGL ES would only give bytes. */
 void context_read_pixels(int width, int height, float *rgba);

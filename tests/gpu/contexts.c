@@ -31,6 +31,7 @@ static void without_a_context_nothing_is_made(void **state)
     cupola_plan *plan = NULL;
     cupola_gl *gl = NULL;
     cupola_theatre *theatre = NULL;
+    cupola_points *points = NULL;
     float pixel[4] = {0};
     (void)state;
     assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
@@ -39,11 +40,14 @@ static void without_a_context_nothing_is_made(void **state)
                   "no GL context");
     check_refused(cupola_theatre_create(dome, &theatre, &error), CUPOLA_ERROR_CONTEXT, &error,
                   "no GL context");
+    check_refused(cupola_points_create(dome, 0, &points, &error), CUPOLA_ERROR_CONTEXT, &error,
+                  "no GL context");
     check_refused(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT, &error,
                   "no GL context");
     assert_int_equal(cupola_gl_create(plan, NULL, &gl, NULL), CUPOLA_ERROR_CONTEXT);
     assert_null(gl);
     assert_null(theatre);
+    assert_null(points);
     cupola_gl_destroy(&gl);
     cupola_gl_destroy(NULL);
     cupola_theatre_destroy(&theatre);
@@ -153,6 +157,7 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     const struct cupola_rig rig = plain_rig(CUPOLA_LENS_ANGULAR, 150.0, SIZE);
     struct cupola_spectator spectator;
     cupola_theatre *theatre = NULL;
+    cupola_points *alone = NULL;
     unsigned int points = 0;
     float pixel[4];
     (void)state;
@@ -164,6 +169,7 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     fixture_make(&rig, &moving, NULL, &fixture);
     fixture_make(&rig, NULL, NULL, &open);
     assert_int_equal(cupola_theatre_create(fixture.dome, &theatre, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_points_create(fixture.dome, 0, &alone, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, NULL), CUPOLA_OK);
     cupola_spectator_at_eye(fixture.dome, &spectator);
     check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
@@ -179,8 +185,12 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     assert_int_equal(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_theatre_draw(theatre, &points, &spectator, SIZE, SIZE, NULL, &error),
                      CUPOLA_ERROR_CONTEXT);
+    check_refused(cupola_points_set_dome(alone, fixture.dome, 0, &error), CUPOLA_ERROR_CONTEXT,
+                  &error, "no GL context");
     fixture_release(&open);
     fixture_release(&fixture);
+    cupola_points_destroy(&alone);
+    assert_null(alone);
     cupola_theatre_destroy(&theatre);
     assert_null(theatre);
     assert_true(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context));

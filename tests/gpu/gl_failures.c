@@ -90,6 +90,21 @@ static void undo_theatre(void)
     cupola_theatre_destroy(&house.theatre);
 }
 
+static cupola_points *points_alone;
+
+static int make_points_alone(struct cupola_error *error)
+{
+    points_alone = NULL;
+    int status = cupola_points_create(house.dome, 0, &points_alone, error);
+    assert_int_equal(points_alone != NULL, status == CUPOLA_OK);
+    return status;
+}
+
+static void undo_points_alone(void)
+{
+    cupola_points_destroy(&points_alone);
+}
+
 /* The texture that several projectors' light is added up in, made in a frame. */
 static int make_sum(struct cupola_error *error)
 {
@@ -265,12 +280,15 @@ static void frames_that_make_something_survive(void **state)
 
 static void points_and_gain_survive(void **state)
 {
+    const struct maker alone = {"points alone", make_points_alone, undo_points_alone, 3};
     const struct maker points = {"points", make_points, undo_nothing, 2};
     const struct maker density = {"density", make_density, undo_nothing, 2};
     const struct maker gain = {"gain", make_gain, undo_nothing, 7};
     (void)state;
     params = (struct cupola_gl_params){.table = CUPOLA_TABLE_NONE};
     assert_int_equal(make_gl(NULL), CUPOLA_OK);
+    try_each(&alone, false);
+    try_each(&alone, true);
     try_each(&points, false);
     try_each(&density, false);
     try_each(&gain, false);

@@ -1,23 +1,12 @@
 /* Triangles: see triangles.h. */
 #include "triangles.h"
 
-#include "check.h"
 #include "context.h"
 #include "paint_shaders.h"
 
 struct triangles triangles_create(void)
 {
-    struct triangles made = {glCreateProgram(), 0, 0};
-    GLint linked = GL_FALSE;
-    GLuint vertex = context_compile(GL_VERTEX_SHADER, shader_triangle_vert);
-    GLuint fragment = context_compile(GL_FRAGMENT_SHADER, shader_flat_frag);
-    glAttachShader(made.program, vertex);
-    glAttachShader(made.program, fragment);
-    glLinkProgram(made.program);
-    glGetProgramiv(made.program, GL_LINK_STATUS, &linked);
-    assert_int_equal(linked, GL_TRUE);
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
+    struct triangles made = {context_program(shader_triangle_vert, shader_flat_frag), 0, 0};
     glGenVertexArrays(1, &made.vertex_array);
     glGenBuffers(1, &made.buffer);
     return made;

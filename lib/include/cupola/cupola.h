@@ -17,6 +17,7 @@
 #include "one_pass.h"
 #include "overlay.h"
 #include "plan.h"
+#include "points.h"
 #include "projection.h"
 #include "reference.h"
 #include "resolution.h"

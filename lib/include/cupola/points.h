@@ -3,7 +3,10 @@
  * whatever draws per output pixel while the theatre is still being set up. cupola_gl_points (gl.h)
  * gives the same table to a host that has views.
  *
- * Rules of the context, of threads and of state as in gl.h.
+ * Rules of the context, of threads and of state as in gl.h. GL errors that are pending are dropped
+ * by cupola_points_create, and by cupola_points_set_dome where it makes a texture or fails.
+ *
+ * Where an OpenGL ES cannot draw into floats, the table is computed on the CPU in each call.
  */
 #ifndef CUPOLA_POINTS_H
 #define CUPOLA_POINTS_H
@@ -35,8 +38,9 @@ CUPOLA_API int cupola_points_create(const cupola_dome *dome, int output, cupola_
 
 /*
  * Draws the table anew, of another dome: the same rig with a value changed, say, as often as the
- * host likes. Shaders are compiled only where the lens is of another model or the screen's cap
- * comes or goes; the texture is another one only where the output's size has changed.
+ * host likes. A shader is compiled only where the lens is of another model or the screen's cap
+ * comes or goes, for the first time; the texture is another one only where the output's size has
+ * changed.
  *
  * output   index, as above
  * error    may be NULL
