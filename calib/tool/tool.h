@@ -11,6 +11,7 @@
 
 #include "marks.h"
 #include "option_values.h"
+#include "tool/parameters.h"
 
 struct history; /* history.h */
 struct journal; /* journal.h */
@@ -45,6 +46,7 @@ enum group {
 enum about {
     ABOUT_DOME,   /* the dome's own coordinates: the same for every viewer */
     ABOUT_VIEWER, /* the viewer's directions: straight ahead is the middle */
+    ABOUT_COUNT
 };
 
 /* What the window shows beside the image. */
@@ -71,7 +73,7 @@ struct tool {
 
     struct marks marks; /* to be steered to; may be none */
     int mark;           /* index of the one that is being steered to */
-    double cross_px[2]; /* where the cross-hair is */
+    double cross_px[2]; /* where the cross-hair is; within the image */
 
     bool shows_legend; /* current values with units */
     bool text_on_dome; /* legend, help, warning and notice: upright as the viewer sees the dome;
@@ -86,16 +88,81 @@ struct tool {
     char notice[MESSAGE_SIZE];  /* what happened: "saved lobby.cfg" */
     bool unsaved;
     bool ends;
-    bool wants_picture;
+    bool wants_picture; /* of what the window shows; whoever writes it makes it false again */
+    double time_s;      /* now, by any clock that goes forward; set before keys and mouse */
 
     char *rig_path;   /* to save to */
-    char *marks_path; /* likewise */
+    char *marks_path; /* likewise; NULL without marks */
     struct history *history;
-    struct journal *journal;
+    struct journal *journal; /* NULL: none is kept */
+
+    struct marks saved_marks; /* pixels as they are in the file */
+    bool asked_to_quit;       /* Escape once, with unsaved changes */
+    bool drags;               /* the mouse's button is down */
+    double mouse_px[2];
+    int drag; /* number of the present or last drag: one is one step of history */
 };
+
+/*
+ * Begins with a complete rig. The marks become the tool's own, also on failure; paths are copied.
+ * There is no journal yet. False with one line in `message`.
+ */
+bool tool_open(struct tool *tool, const struct cupola_rig *rig, int output, struct marks *marks,
+               const char *rig_path, const char *marks_path, char *message);
+
+/* Gives everything back; the journal goes if nothing is unsaved. */
+void tool_close(struct tool *tool);
 
 /* The rig that is shown: before or after, with the eye where it is at the moment. */
 void tool_shown_rig(const struct tool *tool, struct cupola_rig *rig);
+
+/* The three values of a group, in the order of the arrow keys; false where a place has none. */
+bool tool_group_parameter(const struct tool *tool, int which, enum parameter *parameter);
+
+/* "projector position", "image circle". */
+const char *tool_group_name(enum group group);
+/* "grid", as scripts and --pattern have it; NULL beyond the last. */
+const char *tool_pattern_name(int pattern);
+/* "dome", "viewer"; "none", "eye", "outside"; NULL beyond the last. */
+const char *tool_about_name(int about);
+const char *tool_preview_name(int preview);
+
+/*
+ * A key of GLFW with its modifiers, pressed or repeated while it is held. What repetition makes no
+ * sense for ignores it. Returns whether the key means anything.
+ */
+bool tool_key(struct tool *tool, int key, int modifiers);
+bool tool_key_repeat(struct tool *tool, int key, int modifiers);
+
+/* The mouse over the image, continuous pixels of the output, origin bottom left; and its button. */
+void tool_mouse(struct tool *tool, double x_px, double y_px);
+void tool_mouse_button(struct tool *tool, bool pressed);
+
+/* Sets one value, in the unit of its name, as a step of history. False with a warning. */
+bool tool_set(struct tool *tool, enum parameter parameter, double value);
+
+/*
+ * Makes whatever differs from the last step a step of history: `values` as they were before, `mark`
+ * an index or -1 with its state before. Steps of the same key within a moment become one; -1 never.
+ */
+struct mark_state;
+void tool_commit(struct tool *tool, const struct values *before, int mark,
+                 const struct mark_state *mark_before, int key);
+
+void tool_undo(struct tool *tool);
+void tool_redo(struct tool *tool);
+
+/* Saves rig and marks that were steered to. False with a warning. */
+bool tool_save(struct tool *tool, const char *rig_path);
+
+/*
+ * Gives the image another size: circle, cross-hair, pixels of marks, and all of history keep their
+ * place in the picture (cupola_output_resize). False with a warning.
+ */
+bool tool_resize(struct tool *tool, int width_px, int height_px);
+
+/* To be called every frame: brings the journal to the disk now and then. */
+void tool_idle(struct tool *tool);
 
 /* The command: cupola-calib ... without a further name. Returns its exit status. */
 int tool_main(int argc, char **argv);

@@ -1,0 +1,100 @@
+/* From mark to mark with the cross-hair: each place of the screen gets its pixel. */
+#include "tool/marks_walk.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cupola/projection.h>
+
+#include "tool/state.h"
+
+int marks_walk_next(const struct tool *tool, int mark)
+{
+    for (int i = 1; i <= tool->marks.count; i++) {
+        int next = (mark + i) % tool->marks.count;
+        if (!tool->marks.list[next].steered)
+            return next;
+    }
+    return mark < 0 ? 0 : mark;
+}
+
+int marks_walk_steered(const struct tool *tool)
+{
+    int steered = 0;
+
+    for (int i = 0; i < tool->marks.count; i++)
+        steered += tool->marks.list[i].steered;
+    return steered;
+}
+
+void marks_walk_to(struct tool *tool, int index)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+    const int size_px[2] = {output->width_px, output->height_px};
+    const struct mark *mark;
+    double point_m[3], pixel_px[2];
+
+    if (tool->marks.count == 0)
+        return;
+    tool->mark = index;
+    mark = &tool->marks.list[index];
+    memcpy(pixel_px, mark->pixel_px, sizeof pixel_px);
+    for (int i = 0; i < 3; i++)
+        point_m[i] =
+            mark->place[i] * (tool->marks.kind == MARKS_DIRECTIONS ? tool->rig.screen.radius_m : 1);
+    if (!mark->steered && cupola_output_pixel(output, point_m, pixel_px, NULL) < 0)
+        return;
+    for (int i = 0; i < 2; i++)
+        if (isfinite(pixel_px[i]))
+            tool->cross_px[i] = fmin(fmax(pixel_px[i], 0), size_px[i]);
+}
+
+static bool refuse_without(struct tool *tool)
+{
+    if (tool->marks.count > 0)
+        return false;
+    snprintf(tool->warning, MESSAGE_SIZE, "there are no marks; give --marks FILE.csv");
+    return true;
+}
+
+void marks_walk_accept(struct tool *tool)
+{
+    struct values before;
+    struct mark_state state = tool_mark_state(tool, tool->mark);
+    int index = tool->mark, left;
+    struct mark *mark;
+
+    if (refuse_without(tool))
+        return;
+    mark = &tool->marks.list[index];
+    values_take(tool, &before);
+    mark->steered = true;
+    memcpy(mark->pixel_px, tool->cross_px, sizeof mark->pixel_px);
+    left = tool->marks.count - marks_walk_steered(tool);
+    marks_walk_to(tool, marks_walk_next(tool, index));
+    tool_commit(tool, &before, index, &state, -1);
+    if (left > 0)
+        snprintf(tool->notice, MESSAGE_SIZE, "%s is at (%.1f, %.1f) px; next %s, %d of %d left",
+                 mark->name, mark->pixel_px[0], mark->pixel_px[1],
+                 tool->marks.list[tool->mark].name, left, tool->marks.count);
+    else
+        snprintf(tool->notice, MESSAGE_SIZE,
+                 "%s is at (%.1f, %.1f) px; all %d marks are steered to", mark->name,
+                 mark->pixel_px[0], mark->pixel_px[1], tool->marks.count);
+}
+
+void marks_walk_forget(struct tool *tool)
+{
+    struct values before;
+    struct mark_state state = tool_mark_state(tool, tool->mark);
+
+    if (refuse_without(tool))
+        return;
+    values_take(tool, &before);
+    tool->marks.list[tool->mark].steered = false;
+    tool->marks.list[tool->mark].pixel_px[0] = tool->marks.list[tool->mark].pixel_px[1] = 0;
+    marks_walk_to(tool, tool->mark);
+    tool_commit(tool, &before, tool->mark, &state, -1);
+    snprintf(tool->notice, MESSAGE_SIZE, "%s is forgotten", tool->marks.list[tool->mark].name);
+}

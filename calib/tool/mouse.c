@@ -1,0 +1,84 @@
+/* The mouse over the image: what it drags. */
+#include <math.h>
+#include <string.h>
+
+#include <cupola/dome.h>
+
+#include "tool/history.h"
+#include "tool/state.h"
+#include "tool/tool.h"
+
+/* The place of the dot that a pixel shows; false where it shows none. */
+static bool dot_at(const struct tool *tool, const double pixel_px[2], double *yaw, double *pitch)
+{
+    cupola_dome *dome = NULL;
+    struct cupola_ray ray;
+    bool lit;
+
+    if (cupola_dome_create(&tool->rig, &dome, NULL) < 0)
+        return false;
+    lit = cupola_dome_ray(dome, tool->output, NULL, pixel_px[0], pixel_px[1], &ray) == 1;
+    cupola_dome_destroy(&dome);
+    if (!lit)
+        return false;
+    *yaw = atan2(-ray.direction[0], -ray.direction[2]);
+    *pitch = asin(fmin(fmax(ray.direction[1], -1), 1));
+    return true;
+}
+
+static void set_cross(struct tool *tool)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+
+    tool->cross_px[0] = fmin(fmax(tool->mouse_px[0], 0), output->width_px);
+    tool->cross_px[1] = fmin(fmax(tool->mouse_px[1], 0), output->height_px);
+}
+
+/* Moves what the group is about, by `moved_px` or to where the mouse is. */
+static void drag(struct tool *tool, const double moved_px[2])
+{
+    struct values before;
+    struct cupola_rig rig = tool->rig;
+    struct cupola_circle *circle = &tool->rig.outputs[tool->output].circle;
+    struct cupola_error error = {0};
+
+    values_take(tool, &before);
+    if (tool->group == GROUP_CIRCLE) {
+        circle->center_x_px += moved_px[0];
+        circle->center_y_px += moved_px[1];
+    } else if (tool->group == GROUP_MARKS) {
+        set_cross(tool);
+    } else if (tool->group == GROUP_DOT || tool->pattern == PATTERN_DOT) {
+        dot_at(tool, tool->mouse_px, &tool->dot_yaw_rad, &tool->dot_pitch_rad);
+    } else {
+        return;
+    }
+    if (cupola_rig_complete(&tool->rig, NULL, &error) < 0) {
+        tool->rig = rig;
+        memcpy(tool->warning, error.message, sizeof error.message);
+        return;
+    }
+    tool_commit(tool, &before, -1, NULL, HISTORY_DRAG + tool->drag);
+}
+
+void tool_mouse(struct tool *tool, double x_px, double y_px)
+{
+    double moved_px[2] = {x_px - tool->mouse_px[0], y_px - tool->mouse_px[1]};
+
+    if (!isfinite(x_px) || !isfinite(y_px))
+        return;
+    tool->mouse_px[0] = x_px;
+    tool->mouse_px[1] = y_px;
+    if (tool->drags)
+        drag(tool, moved_px);
+}
+
+void tool_mouse_button(struct tool *tool, bool pressed)
+{
+    if (pressed && !tool->drags) {
+        tool->drag = (tool->drag + 1) % 1000000;
+        tool->drags = true;
+        drag(tool, (double[2]){0, 0});
+    }
+    tool->drags = pressed;
+}

@@ -1,0 +1,116 @@
+/* Saving, and images of another size. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cupola/rig_file.h>
+
+#include "short_path.h"
+#include "tool/journal.h"
+#include "tool/marks_walk.h"
+#include "tool/state.h"
+
+bool tool_save(struct tool *tool, const char *rig_path)
+{
+    struct cupola_error error = {0};
+    int steered = marks_walk_steered(tool);
+
+    if (cupola_rig_write(rig_path, &tool->rig, &error) < 0) {
+        snprintf(tool->warning, MESSAGE_SIZE, "%s", error.message);
+        return false;
+    }
+    if (steered > 0 && !marks_write(tool->marks_path, &tool->marks, tool->warning))
+        return false;
+    tool->warning[0] = '\0';
+    if (steered > 0)
+        snprintf(tool->notice, MESSAGE_SIZE, "saved %s and %s", short_path(rig_path).text,
+                 short_path(tool->marks_path).text);
+    else
+        snprintf(tool->notice, MESSAGE_SIZE, "saved %s", short_path(rig_path).text);
+    if (strcmp(rig_path, tool->rig_path) == 0) {
+        tool_note_saved(tool);
+        journal_note(tool, "saved");
+    }
+    return true;
+}
+
+/* What moves with the picture when its size changes. */
+struct resizing {
+    double scale;
+    double from_px[2], to_px[2]; /* sizes */
+};
+
+static void move_pixel(const struct resizing *resizing, double *pixel_px, int axis)
+{
+    *pixel_px =
+        0.5 * resizing->to_px[axis] + resizing->scale * (*pixel_px - 0.5 * resizing->from_px[axis]);
+}
+
+static void move_step(void *user, struct values *values, struct change *step)
+{
+    const struct resizing *resizing = user;
+
+    for (int axis = 0; axis < 2; axis++) {
+        move_pixel(resizing, &values->raw[PARAMETER_CIRCLE_X + axis], axis);
+        move_pixel(resizing, &values->raw[PARAMETER_CROSS_X + axis], axis);
+        if (step && step->mark >= 0) {
+            move_pixel(resizing, &step->mark_before.pixel_px[axis], axis);
+            move_pixel(resizing, &step->mark_after.pixel_px[axis], axis);
+        }
+    }
+    values->raw[PARAMETER_CIRCLE_RADIUS] *= resizing->scale;
+}
+
+static void move_marks(const struct resizing *resizing, struct marks *marks)
+{
+    for (int i = 0; i < marks->count; i++)
+        for (int axis = 0; marks->list[i].steered && axis < 2; axis++)
+            move_pixel(resizing, &marks->list[i].pixel_px[axis], axis);
+}
+
+bool tool_resize_quietly(struct tool *tool, int width_px, int height_px, char *message)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+    struct resizing resizing = {.from_px = {output->width_px, output->height_px},
+                                .to_px = {width_px, height_px}};
+    struct cupola_rig *const rigs[] = {&tool->rig, &tool->before, &tool->theatre};
+    struct cupola_error error = {0};
+    struct values values;
+
+    if (output->width_px == width_px && output->height_px == height_px)
+        return true;
+    for (int i = 0; i < 3; i++) {
+        if (tool->output < rigs[i]->output_count &&
+            cupola_output_resize(&rigs[i]->outputs[tool->output], width_px, height_px, &error) <
+                0) {
+            snprintf(message, MESSAGE_SIZE, "%s", error.message);
+            return false;
+        }
+    }
+    resizing.scale = fmin(width_px / resizing.from_px[0], height_px / resizing.from_px[1]);
+    for (int axis = 0; axis < 2; axis++)
+        move_pixel(&resizing, &tool->cross_px[axis], axis);
+    move_marks(&resizing, &tool->marks);
+    move_marks(&resizing, &tool->saved_marks);
+    history_visit(tool->history, move_step, &resizing);
+    values_take(tool, &values);
+    tool_compare_saved(tool);
+    return true;
+}
+
+bool tool_resize(struct tool *tool, int width_px, int height_px)
+{
+    int from[2] = {tool->rig.outputs[tool->output].width_px,
+                   tool->rig.outputs[tool->output].height_px};
+    char line[60];
+
+    if (!tool_resize_quietly(tool, width_px, height_px, tool->warning))
+        return false;
+    if (from[0] == width_px && from[1] == height_px)
+        return true;
+    snprintf(tool->notice, MESSAGE_SIZE, "the image of %dx%d px is %dx%d px here: the rig takes it",
+             from[0], from[1], width_px, height_px);
+    snprintf(line, sizeof line, "resize %d %d", width_px, height_px);
+    journal_note(tool, line);
+    return true;
+}

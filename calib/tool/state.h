@@ -1,0 +1,24 @@
+/* What the tool's files share: steps of history as live changes and the journal make them. */
+#ifndef STATE_H
+#define STATE_H
+
+#include "tool/history.h"
+#include "tool/tool.h"
+
+/* Takes a step over into state and history. */
+void tool_record(struct tool *tool, const struct change *change, bool merges);
+
+/* False where there is none. */
+bool tool_undo_quietly(struct tool *tool);
+bool tool_redo_quietly(struct tool *tool);
+
+struct mark_state tool_mark_state(const struct tool *tool, int index);
+
+/* Whether anything is unsaved; and that nothing is. */
+void tool_compare_saved(struct tool *tool);
+void tool_note_saved(struct tool *tool);
+
+/* tool_resize without a word to the journal. False with one line in `message`. */
+bool tool_resize_quietly(struct tool *tool, int width_px, int height_px, char *message);
+
+#endif
