@@ -67,6 +67,7 @@ CUPOLA_API int cupola_viewer_start(struct cupola_viewer *viewer,
  * Takes a report. After a gap of more than a second (of more than 10 memory_s where that is longer)
  * the filter begins anew with it, at rest.
  *
+ * viewer      started; changed
  * time_s      of the report, by any clock that only goes forward
  * position_m  dome frame
  * returns     1: taken; 0: refused and counted, since it is not later than the last one that was
@@ -82,6 +83,7 @@ CUPOLA_API int cupola_viewer_report(struct cupola_viewer *viewer, double time_s,
  * Where the eye is at a time, for cupola_gl_set_eye. Moments before the last report have its
  * position.
  *
+ * viewer   started
  * time_s   by the same clock; when the frame will be seen
  * eye_m    out: dome frame, inside of reach; untouched unless 1 is returned
  * returns  1; 0 where nothing was reported yet; CUPOLA_ERROR_ARGUMENT for a pointer that is NULL, a
