@@ -105,30 +105,31 @@ static void write_ground(struct overlay *overlay, double width, double height)
     }
 }
 
-void overlay_text(struct overlay *overlay, int width, int height, double x, double y, double scale,
-                  const char *text)
+void overlay_text(struct overlay *overlay, const struct overlay_place *place, const char *text)
 {
     char copy[TEXT_MAX];
-    unsigned char white[4] = {255, 255, 255, 255};
+    unsigned char ink[4] = {255, 255, 255, 255};
     double ground_width, ground_height;
     int quads;
 
+    if (place->ink)
+        memcpy(ink, place->ink, sizeof ink);
     snprintf(copy, sizeof copy, "%s", text);
     overlay_size(copy, 1, &ground_width, &ground_height);
     write_ground(overlay, ground_width, ground_height);
-    quads = 1 + stb_easy_font_print(MARGIN, MARGIN, copy, white, overlay->quads + 4 * VERTEX_BYTES,
+    quads = 1 + stb_easy_font_print(MARGIN, MARGIN, copy, ink, overlay->quads + 4 * VERTEX_BYTES,
                                     (int)sizeof overlay->quads - 4 * VERTEX_BYTES);
 
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, place->framebuffer);
+    glViewport(0, 0, place->width, place->height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glUseProgram(overlay->program);
-    glUniform2f(overlay->window, (float)width, (float)height);
-    glUniform3f(overlay->origin, (float)x, (float)y, (float)scale);
+    glUniform2f(overlay->window, (float)place->width, (float)place->height);
+    glUniform3f(overlay->origin, (float)place->x, (float)place->y, (float)place->scale);
     glBindVertexArray(overlay->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, overlay->vertices);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)quads * 4 * VERTEX_BYTES, overlay->quads,

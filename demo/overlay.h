@@ -12,12 +12,17 @@ struct overlay *overlay_create(char *message, size_t message_size);
 /* NULL is allowed. */
 void overlay_destroy(struct overlay *overlay);
 
-/*
- * Draws text with a dark ground behind it into the default framebuffer of `width` x `height` px; x
- * and y are of its upper left corner, from the top left. Lines are 12 scale px apart.
- */
-void overlay_text(struct overlay *overlay, int width, int height, double x, double y, double scale,
-                  const char *text);
+/* Where a text goes, and how. */
+struct overlay_place {
+    unsigned int framebuffer; /* 0: the window's */
+    int width, height;        /* of the framebuffer, px */
+    double x, y;              /* of the ground's upper left corner, px from the top left */
+    double scale;             /* lines are 12 of it apart, px */
+    const unsigned char *ink; /* four bytes RGBA; NULL: white */
+};
+
+/* Draws text with a dark ground behind it. */
+void overlay_text(struct overlay *overlay, const struct overlay_place *place, const char *text);
 
 /* The size of the ground that a text gets. */
 void overlay_size(const char *text, double scale, double *width, double *height);

@@ -33,6 +33,15 @@ void window_notice(struct window *window, const char *text)
     window->notice_end_ms = now_ms() + 5000;
 }
 
+/* x and y from the top left, px. */
+static void draw_text(struct window *window, double x, double y, double scale, const char *text)
+{
+    const struct overlay_place place = {
+        .width = window->width, .height = window->height, .x = x, .y = y, .scale = scale};
+
+    overlay_text(window->overlay, &place, text);
+}
+
 static double text_scale(const struct window *window)
 {
     return window->width >= 700 && window->height >= 500 ? 2 : 1;
@@ -64,8 +73,8 @@ static void draw_notice(struct window *window)
     memcpy(text, window->notice, sizeof text);
     wrap(text, (int)(window->width / (7 * scale)) - 4);
     overlay_size(text, scale, &width, &height);
-    overlay_text(window->overlay, window->width, window->height, (window->width - width) / 2,
-                 window->height - height - 4 * scale, scale, text);
+    draw_text(window, (window->width - width) / 2, window->height - height - 4 * scale, scale,
+              text);
 }
 
 static const char *mode_name(enum show_mode mode)
@@ -95,10 +104,9 @@ static void draw_help(struct window *window)
     snprintf(text + used, sizeof text - used, "%dx%d, %.1f frames per second", window->width,
              window->height, 1000 / fmax(window->frame_ms, 1e-3));
     overlay_size(keys_text, scale, &keys_width, &height);
-    overlay_text(window->overlay, window->width, window->height, 4, 4, scale, keys_text);
-    overlay_text(window->overlay, window->width, window->height, 4 + keys_width, 4, scale,
-                 meanings_text);
-    overlay_text(window->overlay, window->width, window->height, 4, 8 + height, scale, text);
+    draw_text(window, 4, 4, scale, keys_text);
+    draw_text(window, 4 + keys_width, 4, scale, meanings_text);
+    draw_text(window, 4, 8 + height, scale, text);
 }
 
 /* A number at the place of the image that shows a point of the screen. */
@@ -119,8 +127,7 @@ static void draw_degree(struct window *window, double off_axis_deg, double round
         return;
     snprintf(text, sizeof text, "%g", degree);
     overlay_size(text, 1, &width, &height);
-    overlay_text(window->overlay, window->width, window->height, pixel[0] - width / 2,
-                 window->height - pixel[1] - height / 2, 1, text);
+    draw_text(window, pixel[0] - width / 2, window->height - pixel[1] - height / 2, 1, text);
 }
 
 static void draw_degrees(struct window *window)

@@ -20,8 +20,8 @@ struct stage *stage_create(char *message);
 void stage_destroy(struct stage *stage);
 
 /*
- * Draws a frame of `width` x `height` px into a framebuffer; 0 is the window's. What the theatre
- * and the pattern did not change by is kept from the last call. False with one line in `message`.
+ * Draws a frame of `width` x `height` px into a framebuffer; 0 is the window's. Of 0 x 0 only the
+ * projector's image is drawn. False with one line in `message`.
  */
 bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int framebuffer, int width,
                 int height, char *message);

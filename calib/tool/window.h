@@ -8,6 +8,10 @@ struct window_wishes {
     int monitor;       /* index, 0: the primary one */
     int width, height; /* of a window; 0: the whole monitor */
     int swap_interval; /* 0: as fast as it can */
+    /* Called before every frame, for an eye that a tracker moves; NULL: nothing moves by itself and
+     * a frame is drawn only where something has changed. */
+    void (*before_frame)(struct tool *tool, void *user);
+    void *user;
 };
 
 /*

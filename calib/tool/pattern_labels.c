@@ -1,0 +1,287 @@
+/* Labels of patterns. Directions are written in the pattern's frame, as in its shader. */
+#include "tool/pattern_labels.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cupola/dome.h>
+
+#include "tool/pattern.h"
+
+static const double RADIANS = 3.14159265358979323846 / 180;
+
+static const float white[3] = {0.9f, 0.9f, 0.9f}, yellow[3] = {0.9f, 0.7f, 0.2f},
+                   red[3] = {1.0f, 0.15f, 0.1f}, green[3] = {0.1f, 0.8f, 0.15f},
+                   blue[3] = {0.25f, 0.5f, 1.0f};
+
+/* What is under way. */
+struct list {
+    const struct tool *tool;
+    const struct cupola_rig *rig;
+    struct pattern_frame frame;
+    double unit_rad;
+    struct pattern_labels *labels;
+};
+
+/* Where a label stands beside its direction: across and up, -1, 0 or 1 each. */
+struct side {
+    int across, up;
+};
+
+/* From the pattern's frame to the direction from the eye in the camera's. */
+static void direction_of(const struct list *list, const double v[3], double direction[3])
+{
+    const struct cupola_rig *rig = list->rig;
+    double c = cos(rig->tilt_rad), s = sin(rig->tilt_rad), seen[3];
+
+    if (list->frame.about_viewer) {
+        memcpy(direction, v, 3 * sizeof *v);
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        seen[i] = rig->screen.radius_m * v[i] - rig->eye_m[i];
+    direction[0] = seen[0];
+    direction[1] = c * seen[1] - s * seen[2];
+    direction[2] = s * seen[1] + c * seen[2];
+}
+
+__attribute__((format(printf, 5, 6))) static void put(struct list *list, const double v[3],
+                                                      struct side side, const float ink[3],
+                                                      const char *format, ...)
+{
+    struct pattern_labels *labels = list->labels;
+    struct dome_label *label = &labels->list[labels->count];
+    va_list arguments;
+
+    if (labels->count == PATTERN_LABELS_MAX)
+        return;
+    va_start(arguments, format);
+    vsnprintf(labels->texts[labels->count], PATTERN_LABEL_TEXT, format, arguments);
+    va_end(arguments);
+    *label = (struct dome_label){
+        .text = labels->texts[labels->count], .unit_rad = list->unit_rad, .ground = 0.65f};
+    direction_of(list, v, label->direction);
+    memcpy(label->ink, ink, sizeof label->ink);
+    dome_label_anchor(label, side.across, side.up);
+    labels->count++;
+}
+
+/* Off the middle and round it, from the right counter-clockwise. */
+static const double *round_middle(double off_deg, double round_deg, double v[3])
+{
+    double off = off_deg * RADIANS, round = round_deg * RADIANS;
+
+    v[0] = sin(off) * cos(round);
+    v[1] = sin(off) * sin(round);
+    v[2] = -cos(off);
+    return v;
+}
+
+/* To the left and above the horizon, the zenith being +Y. */
+static const double *above_horizon(double left_deg, double up_deg, double v[3])
+{
+    double left = left_deg * RADIANS, up = up_deg * RADIANS;
+
+    v[0] = -cos(up) * sin(left);
+    v[1] = sin(up);
+    v[2] = -cos(up) * cos(left);
+    return v;
+}
+
+static void label_viewer_grid(struct list *list)
+{
+    const struct side beside = {1, 1};
+    double v[3];
+
+    for (int left = -150; left <= 180; left += 30) {
+        const char *end = left % 180 == 0 ? "" : left > 0 ? " L" : " R";
+        put(list, above_horizon(left, 0, v), beside, left ? yellow : white, "%d%s",
+            left < 0 ? -left : left, end);
+    }
+    for (int left = -90; left <= 90; left += 90)
+        for (int up = -60; up <= 60; up += 30)
+            if (up != 0)
+                put(list, above_horizon(left, up, v), beside, left ? white : blue, "%+d", up);
+    put(list, above_horizon(0, 90, v), (struct side){0, 0}, white, "zenith");
+}
+
+/* Latitudes are 90 at the pole, where the dome's axis is. */
+static void label_dome_grid(struct list *list)
+{
+    const struct side beside = {1, 1};
+    double v[3];
+
+    for (int round = 0; round < 360; round += 30)
+        put(list, round_middle(60, round, v), beside, yellow, "%d", round);
+    for (int round = 0; round < 360; round += 90)
+        for (int off = 30; off <= 150; off += 30)
+            if (off != 60)
+                put(list, round_middle(off, round, v), beside, round ? white : blue, "%+d",
+                    90 - off);
+    put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "90");
+}
+
+static void label_meridians(struct list *list)
+{
+    double v[3];
+
+    for (int off = 30; off <= 90; off += 30) {
+        put(list, round_middle(off, 180, v), (struct side){0, 1}, red, "%d L", off);
+        put(list, round_middle(off, 0, v), (struct side){0, 1}, green, "%d R", off);
+        put(list, round_middle(off, 90, v), (struct side){1, 0}, blue, "%d UP", off);
+        put(list, round_middle(off, 270, v), (struct side){1, 0}, white, "%d DOWN", off);
+    }
+    put(list, round_middle(12, 180, v), (struct side){0, 0}, red, "LEFT");
+    put(list, round_middle(12, 0, v), (struct side){0, 0}, green, "RIGHT");
+    put(list, round_middle(12, 90, v), (struct side){0, 0}, blue, "ZENITH");
+    put(list, round_middle(5, 225, v), (struct side){0, -1}, white,
+        list->frame.about_viewer ? "straight ahead" : "axis of the dome");
+}
+
+static void label_circles(struct list *list)
+{
+    double v[3];
+
+    for (int off = 10; off < 180; off += 10) {
+        put(list, round_middle(off, 90, v), (struct side){1, 0}, off % 30 ? white : yellow, "%d",
+            off);
+        if (off % 30)
+            continue;
+        for (int round = 0; round < 360; round += 90)
+            if (round != 90)
+                put(list, round_middle(off, round, v), (struct side){1, 1}, yellow, "%d", off);
+    }
+}
+
+static void label_checker(struct list *list)
+{
+    double v[3];
+
+    put(list, round_middle(0, 0, v), (struct side){0, 0}, white,
+        "each field 2 pi / 144 = 0.0436 sr");
+}
+
+static void label_star(struct list *list, double off_deg, double round_deg)
+{
+    static const float *const inks[4] = {red, yellow, green, blue};
+    double v[3];
+
+    round_middle(off_deg, round_deg, v);
+    for (int i = 0; i < 4; i++) {
+        /* In a row below the star, as the viewer sees it. */
+        struct dome_label *label;
+        put(list, v, (struct side){0, 0}, inks[i], "%d", 1 << i);
+        label = &list->labels->list[list->labels->count - 1];
+        label->corner[0] = (i - 2) * 10 + 1;
+        label->corner[1] = -9 * RADIANS / list->unit_rad - 6;
+    }
+}
+
+static void label_wedges(struct list *list)
+{
+    double spacing_deg = pattern_star_spacing_rad(list->rig) / RADIANS, v[3];
+
+    label_star(list, 0, 0);
+    for (int round = 0; round < 360; round += 90)
+        for (int ring = 1; ring <= 3; ring++)
+            label_star(list, ring * spacing_deg, round);
+    put(list, round_middle(12.5, 90, v), (struct side){0, 0}, white,
+        "cycles per degree at the rings");
+}
+
+static void label_steps(struct list *list, double up_deg, int first, int step)
+{
+    double v[3];
+
+    for (int i = 0; i < 16; i++)
+        put(list, above_horizon(60 - 8 * i, up_deg, v), (struct side){0, 0}, white, "%d",
+            first + step * i);
+}
+
+static void label_ramps(struct list *list)
+{
+    label_steps(list, 31.5, 240, 1);
+    label_steps(list, 15.5, 0, 17);
+    label_steps(list, -30.5, 0, 1);
+}
+
+/* The image's own places, as the viewer sees them. */
+static void label_rim(struct list *list)
+{
+    const struct cupola_output *output = &list->rig->outputs[list->tool->output];
+    const struct cupola_circle *circle = &output->circle;
+    const double in_px = 0.1 * circle->radius_px;
+    cupola_dome *dome = NULL;
+    struct cupola_ray ray;
+    struct pattern_frame dome_frame = list->frame;
+
+    if (cupola_dome_create(list->rig, &dome, NULL) < 0)
+        return;
+    list->frame.about_viewer = true; /* rays are the viewer's */
+    for (int degrees = 0; degrees < 360; degrees += 90) {
+        double c = cos(degrees * RADIANS), s = sin(degrees * RADIANS);
+        double to_frame_px =
+            fabs(c) > 0.5 ? (c > 0 ? output->width_px - circle->center_x_px : circle->center_x_px)
+                          : (s > 0 ? output->height_px - circle->center_y_px : circle->center_y_px);
+        double r_px = fmin(circle->radius_px, to_frame_px) - in_px;
+        if (cupola_dome_ray(dome, list->tool->output, NULL, circle->center_x_px + r_px * c,
+                            circle->center_y_px + r_px * s, &ray) == 1)
+            put(list, ray.direction, (struct side){0, 0}, degrees == 90 ? yellow : white,
+                degrees == 90 ? "%d TOP OF IMAGE" : "%d", degrees);
+    }
+    list->frame = dome_frame;
+    cupola_dome_destroy(&dome);
+}
+
+static void label_dot(struct list *list)
+{
+    double v[3];
+
+    pattern_dot(list->tool, v);
+    put(list, v, (struct side){0, -1}, white, "yaw %.1f pitch %.1f",
+        list->tool->dot_yaw_rad / RADIANS, list->tool->dot_pitch_rad / RADIANS);
+    list->labels->list[list->labels->count - 1].corner[1] -=
+        0.5 * list->tool->dot_size_rad / list->unit_rad;
+}
+
+void pattern_labels_list(const struct tool *tool, const struct cupola_rig *rig, double unit_rad,
+                         struct pattern_labels *labels)
+{
+    struct list list = {.tool = tool, .rig = rig, .unit_rad = unit_rad, .labels = labels};
+
+    labels->count = 0;
+    pattern_frame(tool, rig, &list.frame);
+    switch (tool->pattern) {
+    case PATTERN_GRID:
+        if (list.frame.about_viewer)
+            label_viewer_grid(&list);
+        else
+            label_dome_grid(&list);
+        break;
+    case PATTERN_MERIDIANS:
+        label_meridians(&list);
+        break;
+    case PATTERN_CIRCLES:
+        label_circles(&list);
+        break;
+    case PATTERN_CHECKER:
+        label_checker(&list);
+        break;
+    case PATTERN_WEDGES:
+        label_wedges(&list);
+        break;
+    case PATTERN_RAMPS:
+        label_ramps(&list);
+        break;
+    case PATTERN_RIM:
+        label_rim(&list);
+        break;
+    case PATTERN_DOT:
+        label_dot(&list);
+        break;
+    case PATTERN_COUNT:
+        break;
+    }
+}

@@ -1,0 +1,133 @@
+/* The simulated theatre beside the image. */
+#include "tool/preview.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <epoxy/gl.h>
+
+#include <cupola/theatre.h>
+
+static const double EYE_FOV_RAD = 1.6; /* wide, but not so wide that the corners are drawn out */
+
+struct preview_room {
+    struct cupola_rig rig; /* of the theatre */
+    cupola_dome *dome;     /* NULL: nothing was drawn so far */
+    cupola_theatre *theatre;
+    unsigned int black[CUPOLA_OUTPUTS_MAX]; /* what the other projectors throw */
+};
+
+struct preview_room *preview_create(char *message)
+{
+    struct preview_room *preview = calloc(1, sizeof *preview);
+
+    if (!preview)
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+    return preview;
+}
+
+static void clear(struct preview_room *preview)
+{
+    cupola_theatre_destroy(&preview->theatre);
+    cupola_dome_destroy(&preview->dome);
+    glDeleteTextures(CUPOLA_OUTPUTS_MAX, preview->black);
+    memset(preview->black, 0, sizeof preview->black);
+}
+
+void preview_destroy(struct preview_room *preview)
+{
+    if (!preview)
+        return;
+    clear(preview);
+    free(preview);
+}
+
+static bool make_black(struct preview_room *preview, int output, char *message)
+{
+    const struct cupola_output *size = &preview->rig.outputs[output];
+    unsigned char *texels = calloc((size_t)size->width_px * (size_t)size->height_px, 1);
+
+    if (!texels) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        return false;
+    }
+    glGenTextures(1, &preview->black[output]);
+    glBindTexture(GL_TEXTURE_2D, preview->black[output]);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R8, size->width_px, size->height_px, 0, GL_RED,
+                 GL_UNSIGNED_BYTE, texels);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    free(texels);
+    return true;
+}
+
+static bool build(struct preview_room *preview, const struct cupola_rig *rig, int output,
+                  char *message)
+{
+    struct cupola_error error = {0};
+
+    if (preview->theatre && memcmp(rig, &preview->rig, sizeof *rig) == 0)
+        return true;
+    clear(preview);
+    preview->rig = *rig;
+    if (cupola_dome_create(rig, &preview->dome, &error) < 0 ||
+        cupola_theatre_create(preview->dome, &preview->theatre, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
+        return false;
+    }
+    for (int i = 0; i < rig->output_count; i++)
+        if (i != output && !make_black(preview, i, message))
+            return false;
+    return true;
+}
+
+/* The theatre as it stands there, its projector with an image as large as the one that is made. */
+static bool find_rig(const struct tool *tool, struct cupola_rig *rig, char *message)
+{
+    const struct cupola_output *made = &tool->rig.outputs[tool->output];
+    struct cupola_output *output;
+    struct cupola_error error = {0};
+
+    *rig = tool->theatre;
+    output = &rig->outputs[tool->output];
+    if (output->width_px == made->width_px && output->height_px == made->height_px)
+        return true;
+    if (cupola_output_resize(output, made->width_px, made->height_px, &error) >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
+    return false;
+}
+
+bool preview_draw(struct preview_room *preview, const struct tool *tool, unsigned int image,
+                  unsigned int framebuffer, const int rectangle[4], char *message)
+{
+    struct cupola_error error = {0};
+    struct cupola_spectator spectator;
+    struct cupola_rig rig;
+    struct cupola_target target = {
+        .framebuffer = framebuffer, .x = rectangle[0], .y = rectangle[1]};
+    unsigned int images[CUPOLA_OUTPUTS_MAX];
+
+    if (!find_rig(tool, &rig, message) || !build(preview, &rig, tool->output, message))
+        return false;
+    memcpy(images, preview->black, sizeof images);
+    images[tool->output] = image;
+    if (tool->preview == PREVIEW_OUTSIDE) {
+        cupola_spectator_outside(preview->dome, &spectator);
+    } else {
+        cupola_spectator_at_eye(preview->dome, &spectator);
+        spectator.fov_rad = EYE_FOV_RAD;
+        if (tool->viewer_lives)
+            memcpy(spectator.position_m, tool->live_eye_m, sizeof spectator.position_m);
+    }
+    spectator.encoding = CUPOLA_ENCODING_SRGB;
+    for (int i = 0; i < 3; i++)
+        spectator.ambient_rgb[i] = 0.006f; /* what is not lit is seen, too */
+    if (cupola_theatre_draw(preview->theatre, images, &spectator, rectangle[2], rectangle[3],
+                            &target, &error) >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
+    return false;
+}

@@ -1,0 +1,331 @@
+/* The tool in a window: opening it, its events, and a frame whenever something has changed. */
+#include "tool/window.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <epoxy/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "output_file.h"
+#include "status.h"
+#include "tool/stage.h"
+
+struct window {
+    GLFWwindow *handle;
+    struct tool *tool;
+    struct tool shown; /* as it was when the last frame was drawn */
+    struct stage *stage;
+    int width, height; /* of the framebuffer, px */
+    int windowed[4];   /* place and size before it filled the monitor */
+    int monitor;
+    bool dirty; /* to be drawn anew whatever the tool says */
+};
+
+/* GLFW reports errors to a function that gets no pointer of ours. */
+static char glfw_message[300];
+
+static void on_error(int code, const char *text)
+{
+    (void)code;
+    snprintf(glfw_message, sizeof glfw_message, "%s", text);
+}
+
+static GLFWmonitor *monitor_of(int index)
+{
+    int count = 0;
+    GLFWmonitor **monitors = glfwGetMonitors(&count);
+
+    return index >= 0 && index < count ? monitors[index] : NULL;
+}
+
+static void toggle_fullscreen(struct window *window)
+{
+    int *place = window->windowed;
+    GLFWmonitor *monitor = monitor_of(window->monitor);
+    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+
+    if (glfwGetWindowMonitor(window->handle)) {
+        glfwSetWindowMonitor(window->handle, NULL, place[0], place[1], place[2], place[3],
+                             GLFW_DONT_CARE);
+    } else if (mode) {
+        glfwGetWindowPos(window->handle, &place[0], &place[1]);
+        glfwGetWindowSize(window->handle, &place[2], &place[3]);
+        glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height,
+                             mode->refreshRate);
+    }
+    window->dirty = true;
+}
+
+static void on_key(GLFWwindow *handle, int key, int scancode, int action, int modifiers)
+{
+    struct window *window = glfwGetWindowUserPointer(handle);
+
+    (void)scancode;
+    if (action == GLFW_RELEASE)
+        return;
+    window->tool->time_s = glfwGetTime();
+    /* Locks are no modifiers. */
+    modifiers &= GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+    if (key == GLFW_KEY_F11 && action == GLFW_PRESS)
+        toggle_fullscreen(window);
+    else if (action == GLFW_REPEAT)
+        tool_key_repeat(window->tool, key, modifiers);
+    else
+        tool_key(window->tool, key, modifiers);
+}
+
+static void on_cursor(GLFWwindow *handle, double x, double y)
+{
+    struct window *window = glfwGetWindowUserPointer(handle);
+    int width, height;
+    double pixel[2];
+
+    glfwGetWindowSize(handle, &width, &height);
+    if (width < 1 || height < 1)
+        return;
+    window->tool->time_s = glfwGetTime();
+    /* Screen coordinates need not be pixels. */
+    if (stage_pixel(window->tool, window->width, window->height, x * window->width / width,
+                    y * window->height / height, pixel))
+        tool_mouse(window->tool, pixel[0], pixel[1]);
+}
+
+static void on_button(GLFWwindow *handle, int button, int action, int modifiers)
+{
+    struct window *window = glfwGetWindowUserPointer(handle);
+    double x, y;
+
+    (void)modifiers;
+    if (button != GLFW_MOUSE_BUTTON_LEFT)
+        return;
+    glfwGetCursorPos(handle, &x, &y);
+    on_cursor(handle, x, y);
+    tool_mouse_button(window->tool, action == GLFW_PRESS);
+}
+
+static void on_size(GLFWwindow *handle, int width, int height)
+{
+    struct window *window = glfwGetWindowUserPointer(handle);
+
+    window->width = width;
+    window->height = height;
+    window->dirty = true;
+}
+
+static void on_refresh(GLFWwindow *handle)
+{
+    struct window *window = glfwGetWindowUserPointer(handle);
+
+    window->dirty = true;
+}
+
+static void listen(struct window *window)
+{
+    glfwSetWindowUserPointer(window->handle, window);
+    glfwSetKeyCallback(window->handle, on_key);
+    glfwSetCursorPosCallback(window->handle, on_cursor);
+    glfwSetMouseButtonCallback(window->handle, on_button);
+    glfwSetFramebufferSizeCallback(window->handle, on_size);
+    glfwSetWindowRefreshCallback(window->handle, on_refresh);
+}
+
+/* The version of the best context that a hidden window gets; 0 for none. */
+static int find_version(void)
+{
+    int version;
+    GLFWwindow *handle;
+
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    handle = glfwCreateWindow(16, 16, "cupola-calib", NULL, NULL);
+    if (!handle)
+        return 0;
+    glfwMakeContextCurrent(handle);
+    version = epoxy_gl_version();
+    glfwMakeContextCurrent(NULL);
+    glfwDestroyWindow(handle);
+    return version;
+}
+
+static void say_refusal(char *message)
+{
+    char reason[sizeof glfw_message];
+    int version;
+
+    memcpy(reason, glfw_message, sizeof reason);
+    version = find_version();
+    if (version > 0 && version < 33)
+        snprintf(message, MESSAGE_SIZE, "the OpenGL found is %d.%d; needed: 3.3 core or newer",
+                 version / 10, version % 10);
+    else
+        snprintf(message, MESSAGE_SIZE, "no window with OpenGL 3.3 core: %s", reason);
+}
+
+static bool choose_monitor(const struct window_wishes *wishes, GLFWmonitor **monitor, char *message)
+{
+    int count = 0;
+
+    glfwGetMonitors(&count);
+    *monitor = monitor_of(wishes->monitor);
+    if (*monitor || (wishes->width > 0 && wishes->monitor == 0))
+        return true;
+    if (count == 0)
+        snprintf(message, MESSAGE_SIZE,
+                 "this display has no monitor to fill; --windowed opens a "
+                 "window");
+    else
+        snprintf(message, MESSAGE_SIZE, "--monitor: %d is not allowed; allowed: 0 to %d",
+                 wishes->monitor, count - 1);
+    return false;
+}
+
+static bool open_window(struct window *window, const struct window_wishes *wishes, char *message)
+{
+    GLFWmonitor *monitor;
+    const GLFWvidmode *mode;
+    bool fills = wishes->width < 1;
+    int width = wishes->width, height = wishes->height, x, y;
+
+    if (!choose_monitor(wishes, &monitor, message))
+        return false;
+    mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    if (fills && mode) {
+        width = mode->width;
+        height = mode->height;
+    }
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    /* The picture stays on the dome while another screen is worked with. */
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    window->handle = glfwCreateWindow(width, height, "cupola-calib", fills ? monitor : NULL, NULL);
+    if (!window->handle) {
+        say_refusal(message);
+        return false;
+    }
+    if (monitor && !fills) {
+        glfwGetMonitorPos(monitor, &x, &y);
+        glfwSetWindowPos(window->handle, x, y);
+    }
+    window->monitor = wishes->monitor;
+    memcpy(window->windowed, (int[]){0, 0, width, height}, sizeof window->windowed);
+    glfwMakeContextCurrent(window->handle);
+    glfwSwapInterval(wishes->swap_interval);
+    glfwGetFramebufferSize(window->handle, &window->width, &window->height);
+    listen(window);
+    return true;
+}
+
+/* What the window shows, into a new file of the current directory. */
+static void save_picture(struct window *window)
+{
+    struct tool *tool = window->tool;
+    char name[40], message[MESSAGE_SIZE];
+
+    tool->wants_picture = false;
+    for (int i = 1; i < 10000; i++) {
+        snprintf(name, sizeof name, "cupola-calib-%04d.png", i);
+        if (access(name, F_OK) != 0)
+            break;
+        name[0] = 0;
+    }
+    if (!name[0])
+        snprintf(tool->warning, MESSAGE_SIZE,
+                 "cupola-calib-0001.png to cupola-calib-9999.png are all there");
+    else if (output_file_capture(name, 0, window->width, window->height, message))
+        snprintf(tool->notice, MESSAGE_SIZE, "saved %s", name);
+    else
+        memcpy(tool->warning, message, sizeof message);
+}
+
+/* Padding counts too, a frame too many does no harm; the clock does not. */
+static bool has_changed(struct window *window)
+{
+    window->shown.time_s = window->tool->time_s;
+    return window->dirty || memcmp(&window->shown, window->tool, sizeof window->shown) != 0;
+}
+
+static bool frame(struct window *window, char *message)
+{
+    memcpy(&window->shown, window->tool, sizeof window->shown);
+    window->dirty = false;
+    if (!stage_draw(window->stage, window->tool, 0, window->width, window->height, message))
+        return false;
+    if (window->tool->wants_picture)
+        save_picture(window);
+    glfwSwapBuffers(window->handle);
+    return true;
+}
+
+static bool loop(struct window *window, const struct window_wishes *wishes, char *message)
+{
+    const double rest_s = 0.1; /* how long nothing may happen */
+
+    while (!window->tool->ends) {
+        if (wishes->before_frame) {
+            glfwPollEvents();
+            window->tool->time_s = glfwGetTime();
+            wishes->before_frame(window->tool, wishes->user);
+        } else if (!has_changed(window)) {
+            glfwWaitEventsTimeout(rest_s);
+        } else {
+            glfwPollEvents();
+        }
+        window->tool->time_s = glfwGetTime();
+        if (glfwWindowShouldClose(window->handle))
+            break;
+        tool_idle(window->tool);
+        if (has_changed(window) && !frame(window, message))
+            return false;
+    }
+    return true;
+}
+
+static bool has_display(char *message)
+{
+    const char *x = getenv("DISPLAY"), *wayland = getenv("WAYLAND_DISPLAY");
+
+    glfwSetErrorCallback(on_error);
+    if (!(x && *x) && !(wayland && *wayland)) {
+        snprintf(message, MESSAGE_SIZE,
+                 "a window needs a display, but neither DISPLAY nor WAYLAND_DISPLAY is set");
+        return false;
+    }
+    if (glfwInit())
+        return true;
+    snprintf(message, MESSAGE_SIZE, "a window needs a display: %s", glfw_message);
+    return false;
+}
+
+int window_run(struct tool *tool, const struct window_wishes *wishes, char *message)
+{
+    struct window *window;
+    int status = STATUS_FAILED;
+
+    if (!has_display(message))
+        return STATUS_FAILED;
+    window = calloc(1, sizeof *window);
+    if (!window) {
+        snprintf(message, MESSAGE_SIZE, "out of memory");
+        glfwTerminate();
+        return STATUS_FAILED;
+    }
+    window->tool = tool;
+    window->dirty = true;
+    if (open_window(window, wishes, message)) {
+        window->stage = stage_create(message);
+        if (window->stage && loop(window, wishes, message))
+            status = STATUS_OK;
+        stage_destroy(window->stage);
+        glfwDestroyWindow(window->handle);
+    }
+    free(window);
+    glfwTerminate();
+    return status;
+}
