@@ -39,9 +39,9 @@ bool film_output_check_options(const struct options *options, char *message)
     const char *problem = NULL;
 
     if (film_output_is_numbered(options)) {
-        if (!has_many(options))
-            problem = "has a number, but --show names no sequence, and without --eye-circle no eye "
-                      "moves; allowed: a name without %";
+        if (!has_many(options) && !options->osc)
+            problem = "has a number, but --show names no sequence, and without --eye-circle and "
+                      "--osc no eye moves; allowed: a name without %";
         else if (options->stats)
             problem = "has a number, and --stats wants one file only; allowed: one of them";
         else if (strstr(options->output, "%s"))

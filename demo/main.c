@@ -94,7 +94,7 @@ int main(int argc, char **argv)
         if (status != STATUS_OK)
             return complain(status, message);
         setup.plan = options.plan;
-        setup.plan.head_radius_m = eye_path_head_radius_m(&options);
+        setup.plan.head_radius_m = eye_path_head_radius_m(&options, &setup.rig);
         setup.measures_prices = options_time_views(&options);
         setup.table = options.table;
         setup.view_format = options.view_format;

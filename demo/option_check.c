@@ -31,8 +31,9 @@ static const char *picture_contradiction(const struct options *o)
                "the name";
     if (o->views_given)
         return "--layout, --views, --goal, --density, --view-size, --guard, --head-radius, "
-               "--eye-circle, --view-format, --msaa, --depth, --mask and --submission belong to "
-               "views, and --show has none; allowed: without them";
+               "--eye-circle, --osc, --view-format, --msaa, --depth, --mask and --submission "
+               "belong "
+               "to views, and --show has none; allowed: without them";
     if (o->flat || o->camera.given || o->look.given || o->up.given)
         return "--flat, --camera, --look and --up belong to a scene, and --show has none; allowed: "
                "--picture-aim turns a picture";
@@ -60,11 +61,15 @@ static const char *plan_contradiction(const struct options *o)
         return "--layout, --views, --goal, --density, --view-size, --guard, --mask and "
                "--submission belong to the dome's views, and --perspective has none; allowed: "
                "without them";
-    if (!o->head_radius_m.given && !o->eye_circle_m.given)
+    if (o->lookahead_ms.given && !o->osc)
+        return "--viewer-lookahead needs --osc; allowed: together with it";
+    if (!o->head_radius_m.given && !o->eye_circle_m.given && !o->osc)
         return NULL;
     if (o->mode == SHOW_PERSPECTIVE)
-        return "--head-radius and --eye-circle belong to the dome's views, and --perspective has "
-               "none; allowed: without them";
+        return "--head-radius, --eye-circle and --osc belong to the dome's views, and "
+               "--perspective has none; allowed: without them";
+    if (o->osc && o->eye_circle_m.given)
+        return "--osc and --eye-circle both move the eye; allowed: one of them";
     if (o->head_radius_m.given && o->eye_circle_m.given &&
         o->eye_circle_m.value[0] > o->head_radius_m.value[0])
         return "--eye-circle leaves the sphere of --head-radius; allowed: up to that radius";
@@ -79,7 +84,7 @@ static bool wishes_drawing(const struct options *o)
                       o->camera.given || o->look.given || o->up.given;
 
     return scene_wish || window_wish || o->mark_count > 0 || o->frames > 0 || o->stats ||
-           o->eye_circle_m.given;
+           o->eye_circle_m.given || o->osc;
 }
 
 /* The same of what is told without drawing. */
@@ -125,6 +130,9 @@ static const char *reference_contradiction(const struct options *o)
     if (o->report && !o->output && !o->headless)
         return "--report alone draws nothing; allowed together with --reference: with --output or "
                "--headless";
+    if (o->osc)
+        return "--reference and --osc contradict each other: a mean of frames wants an eye that "
+               "rests; allowed: one of them";
     if (o->stats)
         return "--reference and --stats contradict each other; allowed: one of them";
     if (o->goal_auto)

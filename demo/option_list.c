@@ -46,6 +46,8 @@ const struct option option_list[] = {
     {"guard", required_argument, NULL, OPTION_GUARD},
     {"head-radius", required_argument, NULL, OPTION_HEAD_RADIUS},
     {"eye-circle", required_argument, NULL, OPTION_EYE_CIRCLE},
+    {"osc", required_argument, NULL, OPTION_OSC},
+    {"viewer-lookahead", required_argument, NULL, OPTION_VIEWER_LOOKAHEAD},
     {"view-format", required_argument, NULL, OPTION_VIEW_FORMAT},
     {"msaa", required_argument, NULL, OPTION_MSAA},
     {"depth", required_argument, NULL, OPTION_DEPTH},

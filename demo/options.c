@@ -14,6 +14,7 @@
 #include "option_paths.h"
 #include "scene_options.h"
 #include "short_path.h"
+#include "viewer_osc.h"
 
 enum { BIG = 1000000 };
 
@@ -188,6 +189,11 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
                       &o->head_radius_m);
     case OPTION_EYE_CIRCLE:
         return number(c, text, (struct number_range){0, 1000, .above_low = true}, &o->eye_circle_m);
+    case OPTION_OSC:
+        o->osc = text;
+        return viewer_osc_check(c, text);
+    case OPTION_VIEWER_LOOKAHEAD:
+        return number(c, text, (struct number_range){0, 500}, &o->lookahead_ms);
     case OPTION_VIEW_FORMAT:
         return value_name(c, text, option_view_format_name, &o->view_format);
     case OPTION_MSAA:

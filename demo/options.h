@@ -87,6 +87,8 @@ struct options {
     struct cupola_plan_params plan;
     bool goal_auto; /* the plan's prices are measured */
     struct optional head_radius_m, eye_circle_m;
+    const char *osc; /* where a tracker reports the eye to; NULL: nowhere */
+    struct optional lookahead_ms;
     enum cupola_table table;
     int view_format; /* -1: not given; else of enum cupola_format */
     int samples;     /* per texel of a view; 0: not given */

@@ -31,6 +31,8 @@ struct stats {
     struct series views_ms;
     struct series warp_ms;
     struct series tables_ms;
+    bool tracked;
+    struct viewer_osc_counts reports;
 };
 
 struct stats *stats_create(const char *path)
@@ -85,6 +87,13 @@ void stats_add_frame(struct stats *stats, const struct frame_times *times)
     series_add(&stats->frame_ms, times->frame_ms);
     series_add(&stats->views_ms, times->views_ms);
     series_add(&stats->warp_ms, times->warp_ms);
+}
+
+void stats_add_reports(struct stats *stats, const struct viewer_osc_counts *counts)
+{
+    stats->tracked = counts != NULL;
+    if (counts)
+        stats->reports = *counts;
 }
 
 void stats_time_tables(struct stats *stats, const struct show *show)
@@ -161,6 +170,15 @@ static void write_ways(FILE *file, const struct show *show)
     write_name(file, "table", views ? show_table(show) : NULL);
 }
 
+static void write_reports(FILE *file, const struct viewer_osc_counts *counts)
+{
+    fprintf(file,
+            "  \"viewer_reports\": {\"packets\": %ld, \"taken\": %ld, \"refused\": %ld, \"late\": "
+            "%ld, \"malformed\": %ld, \"others\": %ld},\n",
+            counts->packets, counts->taken, counts->refused, counts->late, counts->malformed,
+            counts->others);
+}
+
 static void write_texels(FILE *file, const struct cupola_plan_report *report, bool masked)
 {
     double shaded = masked ? report->texels_masked_per_pixel : report->texels_shaded_per_pixel;
@@ -212,6 +230,8 @@ static void write_object(struct stats *stats, const struct show *show, const str
     write_string(file, report->reason);
     fputs(",\n", file);
     write_ways(file, show);
+    if (stats->tracked)
+        write_reports(file, &stats->reports);
     fprintf(file, "  \"triangles\": %ld,\n", whole.triangles);
     fprintf(file, "  \"triangles_drawn\": %ld,\n", drawn.triangles);
     fprintf(file, "  \"instances\": %ld,\n", whole.instances);

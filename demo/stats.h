@@ -3,6 +3,7 @@
 #define STATS_H
 
 #include "show.h"
+#include "viewer_osc.h"
 
 struct stats;
 
@@ -20,6 +21,9 @@ int stats_frames(int frames);
 
 /* Counts a frame; the first one is dropped. */
 void stats_add_frame(struct stats *stats, const struct frame_times *times);
+
+/* What came of a tracker; NULL: there was none. */
+void stats_add_reports(struct stats *stats, const struct viewer_osc_counts *counts);
 
 /* Times the making of the tables. */
 void stats_time_tables(struct stats *stats, const struct show *show);

@@ -27,6 +27,7 @@ struct still {
     struct marks marks;
     struct show *show;
     struct target target;
+    struct eye_path eye;
     struct stats *stats;         /* NULL: nobody wants them */
     struct reference *reference; /* NULL: each picture is one frame */
     bool numbered;               /* each frame of a film goes to a file of its own */
@@ -38,6 +39,9 @@ static int create(struct still *still, const struct options *options,
     struct show_setup mine = *setup;
     int status, width, height;
 
+    status = eye_path_create(&still->eye, options, &setup->rig, message);
+    if (status != STATUS_OK)
+        return status;
     still->headless = headless_create(message, MESSAGE_SIZE);
     if (!still->headless)
         return STATUS_FAILED;
@@ -64,11 +68,13 @@ static int create(struct still *still, const struct options *options,
         return STATUS_FAILED;
     }
     options_notice(options, &setup->rig);
+    eye_path_announce(&still->eye, news);
     return STATUS_OK;
 }
 
 static void destroy(struct still *still)
 {
+    eye_path_destroy(&still->eye);
     stats_destroy(still->stats);
     reference_destroy(still->reference);
     if (still->headless) {
@@ -148,7 +154,7 @@ static int draw(struct still *still, const struct options *options, const char *
          status == STATUS_OK && i < frames; i++) {
         if (still->world.film && !film_seek(still->world.film, i, message))
             return STATUS_FAILED;
-        if (eye_path_place(options, &still->rig, (double)i / (double)frames, eye_m))
+        if (eye_path_place(&still->eye, (double)i / (double)frames, eye_m))
             frame.eye_m = eye_m;
         status = draw_picture(still, options, &frame, i, path, message);
     }
@@ -167,6 +173,7 @@ static bool write_files(struct still *still, const struct options *options, cons
     }
     if (still->stats) {
         stats_time_tables(still->stats, still->show);
+        stats_add_reports(still->stats, eye_path_counts(&still->eye));
         if (strcmp(options->stats, "-") != 0 &&
             !stats_write(still->stats, still->show, still->world.scene,
                          (const char *)glGetString(GL_RENDERER), message))

@@ -9,7 +9,6 @@
 
 #include <cupola/rig_file.h>
 
-#include "eye_path.h"
 #include "film_output.h"
 #include "prices.h"
 #include "stats.h"
@@ -155,6 +154,9 @@ static int create(struct window *window, const struct options *options, FILE *ne
     struct cupola_error error = {0};
     int status;
 
+    status = eye_path_create(&window->eye, options, &window->setup.rig, message);
+    if (status != STATUS_OK)
+        return status;
     if (!open_window(window, options, message))
         return STATUS_FAILED;
     status = world_create(&window->world, options, &window->setup.rig, news, message);
@@ -184,12 +186,14 @@ static int create(struct window *window, const struct options *options, FILE *ne
     }
     window_listen(window);
     options_notice(options, &window->setup.rig);
+    eye_path_announce(&window->eye, news);
     window_notice(window, "H: help");
     return STATUS_OK;
 }
 
 static void destroy(struct window *window)
 {
+    eye_path_destroy(&window->eye);
     if (!window->handle)
         return;
     show_destroy(window->show);
@@ -218,8 +222,7 @@ static void follow_size(struct window *window)
     window_change(window, &window->setup);
 }
 
-static bool draw(struct window *window, const struct options *options, struct stats *stats,
-                 char *message)
+static bool draw(struct window *window, struct stats *stats, char *message)
 {
     struct frame_times times;
     double direction[3], eye_m[3];
@@ -242,8 +245,7 @@ static bool draw(struct window *window, const struct options *options, struct st
         !film_seek(window->world.film, film_index(window->world.film, now_ms() - window->start_ms),
                    message))
         return false;
-    if (eye_path_place(options, &window->setup.rig,
-                       (now_ms() - window->start_ms) / EYE_PATH_TURN_MS, eye_m))
+    if (eye_path_place(&window->eye, (now_ms() - window->start_ms) / EYE_PATH_TURN_MS, eye_m))
         frame.eye_m = eye_m;
     if (!show_draw(window->show, &frame, message))
         return false;
@@ -272,7 +274,7 @@ static bool loop(struct window *window, const struct options *options, struct st
         if (window->resized)
             follow_size(window);
         window_fly(window);
-        if (!draw(window, options, stats, message))
+        if (!draw(window, stats, message))
             return false;
         glfwSwapBuffers(window->handle);
         time_ms = now_ms();
@@ -284,6 +286,7 @@ static bool loop(struct window *window, const struct options *options, struct st
     if (!stats)
         return true;
     stats_time_tables(stats, window->show);
+    stats_add_reports(stats, eye_path_counts(&window->eye));
     return stats_write(stats, window->show, window->world.scene,
                        (const char *)glGetString(GL_RENDERER), message) &&
            stats_keep(stats, message);

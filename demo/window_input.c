@@ -122,6 +122,9 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
     case GLFW_KEY_F12:
         window->wants_picture = true;
         break;
+    case GLFW_KEY_HOME:
+        eye_path_move(&window->eye, NULL);
+        break;
     case GLFW_KEY_F:
         toggle_fullscreen(window);
         break;
@@ -193,15 +196,23 @@ void window_fly(struct window *window)
 {
     double step[3] = {held(window, GLFW_KEY_D, GLFW_KEY_A), held(window, GLFW_KEY_E, GLFW_KEY_Q),
                       held(window, GLFW_KEY_S, GLFW_KEY_W)};
+    /* The viewer's, dome frame. */
+    double eye[3] = {held(window, GLFW_KEY_RIGHT, GLFW_KEY_LEFT),
+                     held(window, GLFW_KEY_UP, GLFW_KEY_DOWN),
+                     held(window, GLFW_KEY_PAGE_DOWN, GLFW_KEY_PAGE_UP)};
     double radius = window->world.scene ? window->world.scene->radius : 0;
     double time_ms = now_ms();
     /* A long frame must not become a leap. */
-    double length = fmin(time_ms - window->moved_ms, 200) * 1e-3 * (radius > 0 ? 0.4 * radius : 1);
+    double passed_s = fmin(time_ms - window->moved_ms, 200) * 1e-3;
+    double length = passed_s * (radius > 0 ? 0.4 * radius : 1);
 
     window->moved_ms = time_ms;
     if (glfwGetKey(window->handle, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS)
         length *= 4;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         step[i] *= length;
+        eye[i] *= passed_s; /* a second from the middle of the sphere to its border */
+    }
     host_camera_move(&window->world.camera, step);
+    eye_path_move(&window->eye, eye);
 }

@@ -11,10 +11,13 @@
 
 static const double RADIANS = 3.14159265358979323846 / 180;
 
-static const char keys_text[] = "W A S D, Q E\nmouse drag\nL\nO\n1-8, 0\nT\nV\nG\nP\nF\nF12\n"
-                                "H, F1\nEsc";
+static const char keys_text[] =
+    "W A S D, Q E\nmouse drag\narrows, page\nHome\nL\nO\n1-8, 0\nT\nV\nG\nP\nF\nF12\n"
+    "H, F1\nEsc";
 static const char meanings_text[] = "fly (shift: faster)\n"
                                     "look round\n"
+                                    "move the viewer (--head-radius)\n"
+                                    "viewer back to its place\n"
                                     "next lens\n"
                                     "next layout\n"
                                     "number of views, 0: automatic\n"

@@ -5,6 +5,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "eye_path.h"
 #include "grid.h"
 #include "overlay.h"
 #include "show.h"
@@ -14,6 +15,7 @@ struct window {
     GLFWwindow *handle;
     struct world world;
     struct scene_range range;
+    struct eye_path eye;
     struct marks marks;
     struct overlay *overlay;
     struct grid *grid;
@@ -49,7 +51,7 @@ void window_listen(struct window *window);
 /* The direction under the mouse, if it was moved lately and one is there. */
 bool window_picked(const struct window *window, double direction[3]);
 
-/* Moves the camera by the keys that are held down. */
+/* Moves camera and viewer by the keys that are held down. */
 void window_fly(struct window *window);
 
 /*
