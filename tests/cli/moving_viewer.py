@@ -16,6 +16,7 @@ import sys
 import tempfile
 import threading
 
+PROGRAM = os.path.abspath(sys.argv[1])
 EXIT_SKIPPED = 77
 ENVIRONMENT = {key: value for key, value in os.environ.items()
                if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
@@ -73,7 +74,7 @@ class Demo:
     def __init__(self, folder, frames, more=()):
         self.stats = os.path.join(folder, "stats.json")
         self.process = subprocess.Popen(
-            [sys.argv[1], "--headless", "--size", "48x48", "--fov", "140", "--frames", str(frames),
+            [PROGRAM, "--headless", "--size", "48x48", "--fov", "140", "--frames", str(frames),
              "--osc", "0", "--head-radius", "0.3", "--stats", self.stats, *more],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=folder, env=ENVIRONMENT)
         line = self.process.stdout.readline()
@@ -157,7 +158,7 @@ def difference(one, other):
 
 def picture_of(folder, options):
     path = os.path.join(folder, "still.pfm")
-    subprocess.run([sys.argv[1], "--headless", "--size", "48x48", "--fov", "140", "--scene",
+    subprocess.run([PROGRAM, "--headless", "--size", "48x48", "--fov", "140", "--scene",
                     "directions", "--output", path, *options], check=True, env=ENVIRONMENT,
                    stdout=subprocess.DEVNULL)
     return read_pfm(path)
@@ -206,7 +207,7 @@ def flood_faults(folder):
 
 def contradiction_faults(folder):
     for options, wished in CONTRADICTIONS:
-        done = subprocess.run([sys.argv[1], "--headless", *options.split()], capture_output=True,
+        done = subprocess.run([PROGRAM, "--headless", *options.split()], capture_output=True,
                               text=True, cwd=folder, env=ENVIRONMENT, check=False)
         if done.returncode not in (1, 2) or done.stdout or wished not in done.stderr:
             yield f"{options}: {done.returncode}, {done.stderr}"
