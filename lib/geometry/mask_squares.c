@@ -17,13 +17,15 @@ enum { SMALL_PX = 2, MOST_PX = 32, PLACES = 9 };
 static const double pixel_reach = 0.75;
 
 /*
- * How far apart the corners of a square may lie, as parts of their distance from the eye. Where
+ * How far apart the corners of a square may lie, as a part of their distance from the eye. Where
  * rays turn by an angle and are up to 80 degrees off a view's axis, they bulge out of the box of
  * their ends by up to tan 80 / 4 = 1.4 of that angle, of the box.
  */
-static const double near_part = 0.03; /* for a small margin */
 static const double most_part = 0.1;
-static const float small_margin = 0.0625f, large_margin = 0.25f;
+
+/* Of the box, for that angle; the least; where it costs nothing, as squares lie round it. */
+static const double margin_per_part = 2.5, least_margin = 0.0625;
+static const float large_margin = 0.25f;
 
 /* Parts of the image circle's radius: squares of lenses in a few pixels; where cutting ends. */
 static const double most_of_circle = 0.0625, least_of_circle = 1.0 / 8192;
@@ -196,7 +198,8 @@ static bool add_square(const struct cutting *cutting, double x, double y, double
     }
     if (mask->square_count == mask->square_most && !grow(mask))
         return false;
-    square.margin = side > SMALL_PX || part > near_part ? large_margin : small_margin;
+    square.margin =
+        side > SMALL_PX ? large_margin : (float)fmax(least_margin, margin_per_part * part);
     mask->squares[mask->square_count++] = square;
     return true;
 }

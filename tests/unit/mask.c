@@ -292,6 +292,70 @@ static void little_more_is_left_than_what_is_needed(void **state)
     }
 }
 
+/* Any theatre, its image of that width. */
+static struct cupola_rig rig_of_width(int number, int width_px)
+{
+    uint64_t seed = 3000 + (uint64_t)number;
+    struct cupola_rig rig = random_rig(&seed, number % 2 ? 0.5 : 0.0);
+    struct cupola_output *output = &rig.outputs[0];
+    int height_px = (int)((double)output->height_px * width_px / output->width_px);
+    assert_int_equal(cupola_output_resize(output, width_px, height_px, NULL), CUPOLA_OK);
+    rig.screen.cap_rad = number % 4 == 3 ? radians(100.0) : 0.0;
+    return rig;
+}
+
+static long texels_left(const struct mask *mask, const cupola_plan *plan)
+{
+    long left = 0;
+    for (int v = 0; v < cupola_plan_view_count(plan); v++) {
+        const struct mask_texels *texels = &mask->texels[v];
+        for (int i = 0; i < texels->width * texels->height; i++)
+            left += mask_needs(texels, i % texels->width, i / texels->width);
+    }
+    return left;
+}
+
+/* By how much more is left than a plan says; all that is sampled alone is far less. */
+static double left_beyond_report(int number, int width_px)
+{
+    struct cupola_rig rig = rig_of_width(number, width_px);
+    const struct cupola_plan_params params = {.layout = CUPOLA_LAYOUT_ROTATED};
+    struct cupola_error error;
+    struct mask mask;
+    cupola_plan *plan = plan_of_rig(&rig, &params);
+    assert_non_null(plan);
+    assert_int_equal(mask_create(plan, true, &mask, &error), CUPOLA_OK);
+    const struct cupola_plan_report *report = cupola_plan_report(plan);
+    double left = (double)texels_left(&mask, plan) / report->pixels;
+    check_at_least(left / report->texels_sampled_per_pixel - 1, 0.025); /* the control */
+    double beyond = left / report->texels_masked_per_pixel - 1;
+    mask_destroy(&mask);
+    cupola_plan_destroy(&plan);
+    return beyond;
+}
+
+/* Squares' boxes are wide beside small images. */
+static void a_plan_says_how_much_masks_leave(void **state)
+{
+    static const int numbers[] = {3, 11, 19, 27, 35}; /* off axis, with a cap */
+    enum { TRIED = sizeof numbers / sizeof numbers[0] };
+    double worst = 0, worst_small = 0, mean_small = 0;
+    (void)state;
+    for (int i = 0; i < TRIED; i++) {
+        double beyond = left_beyond_report(numbers[i], 1024);
+        double small = left_beyond_report(numbers[i], 128);
+        check_at_least(fmin(beyond, small), -0.005);
+        worst = fmax(worst, beyond);
+        worst_small = fmax(worst_small, small);
+        mean_small += small / TRIED;
+    }
+    printf("  %.1f %% more at most in 1024 px; %.1f in 128 px, %.1f in the mean\n", 100 * worst,
+           100 * worst_small, 100 * mean_small);
+    check_at_most(worst, 0.02);
+    check_at_most(worst_small, 0.12);
+    check_at_most(mean_small, 0.06);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -299,6 +363,7 @@ int main(void)
         cmocka_unit_test(an_eye_that_moves_is_followed_to_the_texel),
         cmocka_unit_test(masks_that_are_shifted_or_not_widened_are_caught),
         cmocka_unit_test(little_more_is_left_than_what_is_needed),
+        cmocka_unit_test(a_plan_says_how_much_masks_leave),
     };
     return cmocka_run_group_tests_name("mask", tests, NULL, NULL);
 }

@@ -129,8 +129,9 @@ struct cupola_plan_report {
     double texels_sampled_per_pixel;   /* of the part of the views that the pixels cover. What two
                                         * outputs cover counts twice, a view as a whole at most */
     double texels_masked_per_pixel;    /* of that with a guard band round it, which is what masks
-                                        * (gl.h) leave to be shaded, to some 2 %; an estimate for
-                                        * hosts without masks, too */
+                                        * (gl.h) leave to be shaded, to 2 % where images have 1000
+                                        * px, in small ones they leave more (in 128 px up to a
+                                        * tenth); an estimate for hosts without masks, too */
     double cost;                       /* what was minimised: texels shaded (masked ones, or whole
                                         * rectangles with `unmasked`) and the prices of struct
                                         * cupola_cost, per pixel */
