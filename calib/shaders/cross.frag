@@ -19,7 +19,7 @@ void main()
 {
     vec2 off = gl_FragCoord.xy - cross_px;
     float coverage = texelFetch(points, ivec2(gl_FragCoord.xy), 0).w;
-    float white = max(bar(off, 1.0), bar(off.yx, 1.0));
+    float white = max(bar(off, 1.4), bar(off.yx, 1.4));
     float dark = max(bar(off, 4.0), bar(off.yx, 4.0));
     float point = clamp(1.2 - length(off), 0.0, 1.0);
     float alpha = max(dark, point);

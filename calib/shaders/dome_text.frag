@@ -18,7 +18,8 @@ void main()
     vec3 ray = axes * (point.xyz - eye_m);
     vec2 at = (ray.xy / ray.z - place.xy) / place.zw;
     vec2 dx = dFdx(at), dy = dFdy(at);
-    if (ray.z <= 0.0 || point.w <= 0.0)
+    // Text is never so wide; further off the derivatives of `at` say nothing.
+    if (ray.z < 0.3 * length(ray) || point.w <= 0.0)
         discard;
     vec2 per_pixel = max(vec2(length(vec2(dx.x, dy.x)), length(vec2(dx.y, dy.y))), 1e-6);
     vec2 edge = clamp(0.5 + min(at, 1.0 - at) / per_pixel, 0.0, 1.0);

@@ -1,5 +1,6 @@
-// Where things end: the screen's rim red, the image circle green, the frame of the image blue; the
-// middle of the image circle as a cross, its ticks every 15 degrees, the dome's axis as a small ring.
+// Where things end: the screen's rim red, the image circle green, the frame of the image blue. The
+// middle of the image circle is a cross, its ticks are 15 degrees apart, the dome's axis is a small
+// ring.
 
 uniform vec3 circle_px;   // the image circle's centre and radius
 uniform vec2 size_px;     // of the image

@@ -11,7 +11,8 @@ mat3 star_frame(Polar p)
 {
     float ring = clamp(floor(p.off / spacing_rad + 0.5), 0.0, 3.0);
     float off = ring * spacing_rad;
-    float round = ring > 0.0 ? floor(p.round / (0.25 * PI) + 0.5) * 0.25 * PI : 0.0;
+    float apart = ring > 1.0 ? 0.25 * PI : 0.5 * PI;
+    float round = ring > 0.0 ? floor(p.round / apart + 0.5) * apart : 0.0;
     vec3 outwards = vec3(cos(off) * cos(round), cos(off) * sin(round), sin(off));
     vec3 across = vec3(-sin(round), cos(round), 0.0);
     return transpose(mat3(outwards, across, cross(outwards, across)));

@@ -110,6 +110,7 @@ static void label_viewer_grid(struct list *list)
 /* Latitudes are 90 at the pole, where the dome's axis is. */
 static void label_dome_grid(struct list *list)
 {
+    static const char *const latitudes[6] = {"+90", "+60", "+30", "0", "-30", "-60"};
     const struct side beside = {1, 1};
     double v[3];
 
@@ -118,8 +119,8 @@ static void label_dome_grid(struct list *list)
     for (int round = 0; round < 360; round += 90)
         for (int off = 30; off <= 150; off += 30)
             if (off != 60)
-                put(list, round_middle(off, round, v), beside, round ? white : blue, "%+d",
-                    90 - off);
+                put(list, round_middle(off, round, v), beside, round ? white : blue, "%s",
+                    latitudes[off / 30]);
     put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "90");
 }
 
@@ -187,7 +188,7 @@ static void label_wedges(struct list *list)
     for (int round = 0; round < 360; round += 90)
         for (int ring = 1; ring <= 3; ring++)
             label_star(list, ring * spacing_deg, round);
-    put(list, round_middle(12.5, 90, v), (struct side){0, 0}, white,
+    put(list, round_middle(15.5, 270, v), (struct side){0, 0}, white,
         "cycles per degree at the rings");
 }
 
@@ -195,7 +196,7 @@ static void label_steps(struct list *list, double up_deg, int first, int step)
 {
     double v[3];
 
-    for (int i = 0; i < 16; i++)
+    for (int i = 1; i < 16; i += 2)
         put(list, above_horizon(60 - 8 * i, up_deg, v), (struct side){0, 0}, white, "%d",
             first + step * i);
 }

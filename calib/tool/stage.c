@@ -15,7 +15,7 @@
 #include "overlay.h"
 #include "program.h"
 #include "tool/dome_text.h"
-#include "tool/panel.h"
+#include "tool/panel_draw.h"
 #include "tool/pattern.h"
 #include "tool/pattern_labels.h"
 #include "tool/preview.h"
@@ -34,19 +34,6 @@ struct stage {
     GLuint show;         /* puts the image into a window */
     GLuint vertex_array; /* empty: core profiles want one */
     struct pattern_labels labels;
-    struct panel panel;
-};
-
-/* How each panel is drawn. */
-static const struct {
-    unsigned char ink[4];
-    float light[3];   /* the same on the dome */
-    double pitch_deg; /* of its middle on the dome */
-} looks[PANELS] = {
-    [PANEL_LEGEND] = {{255, 255, 255, 255}, {0.9f, 0.9f, 0.9f}, -28},
-    [PANEL_HELP] = {{255, 240, 200, 255}, {0.9f, 0.85f, 0.6f}, 10},
-    [PANEL_WARNING] = {{255, 90, 80, 255}, {1.0f, 0.12f, 0.08f}, -12},
-    [PANEL_NOTICE] = {{170, 255, 170, 255}, {0.4f, 1.0f, 0.4f}, -8},
 };
 
 struct stage *stage_create(char *message)
@@ -176,41 +163,6 @@ static void draw_cross_name(struct stage *stage, const struct tool *tool)
     cupola_dome_destroy(&dome);
 }
 
-/* Columns side by side, round the direction that the panel has. */
-static void draw_panel_on_dome(struct stage *stage, int output, enum panel_place place)
-{
-    double pitch = looks[place].pitch_deg * RADIANS, widths[PANEL_COLUMNS], height, sum = 0, x;
-    struct dome_label label = {.direction = {0, sin(pitch), -cos(pitch)}, .ground = 0.8f};
-
-    memcpy(label.ink, looks[place].light, sizeof label.ink);
-    for (int i = 0; i < stage->panel.columns; i++) {
-        dome_text_size(stage->panel.text[i], &widths[i], &height);
-        sum += widths[i];
-    }
-    /* Letters of one and a half pixels a unit; what would be too wide is made smaller. */
-    label.unit_rad = 1.5 * radians_per_px(stage, output);
-    if (label.unit_rad * sum > 1.6)
-        label.unit_rad = 1.6 / sum;
-    x = -0.5 * sum;
-    for (int i = 0; i < stage->panel.columns; i++) {
-        dome_text_size(stage->panel.text[i], &widths[i], &height);
-        label.text = stage->panel.text[i];
-        label.corner[0] = x;
-        label.corner[1] = place == PANEL_NOTICE || place == PANEL_HELP ? -0.5 * height : -height;
-        dome_text_draw(stage->text, &stage->rig, output, cupola_points_texture(stage->points),
-                       &label);
-        x += widths[i];
-    }
-}
-
-static void draw_text_on_dome(struct stage *stage, const struct tool *tool)
-{
-    for (int place = 0; place < PANELS; place++) {
-        panel_write(tool, (enum panel_place)place, 40, &stage->panel);
-        draw_panel_on_dome(stage, tool->output, (enum panel_place)place);
-    }
-}
-
 /* The projector's image. Patterns are written as numbers; what lies over them is mixed as light. */
 static bool draw_image(struct stage *stage, const struct tool *tool, char *message)
 {
@@ -235,7 +187,8 @@ static bool draw_image(struct stage *stage, const struct tool *tool, char *messa
         draw_cross_name(stage, tool);
     }
     if (tool->text_on_dome)
-        draw_text_on_dome(stage, tool);
+        panels_draw_on_dome(stage->text, tool, &stage->rig, points,
+                            radians_per_px(stage, tool->output));
     glDisable(GL_BLEND);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -288,34 +241,6 @@ static void show_image(struct stage *stage, unsigned int framebuffer, const int 
     glUseProgram(0);
 }
 
-static void draw_panel(struct stage *stage, const struct tool *tool, unsigned int framebuffer,
-                       int width, int height, enum panel_place what)
-{
-    double widths[PANEL_COLUMNS], most = 0, sum = 0, up;
-    struct overlay_place place = {.framebuffer = framebuffer,
-                                  .width = width,
-                                  .height = height,
-                                  .scale = width >= 900 && height >= 600 ? 2 : 1,
-                                  .ink = looks[what].ink};
-
-    panel_write(tool, what, (int)(width / (7 * place.scale)) - 4, &stage->panel);
-    for (int i = 0; i < stage->panel.columns; i++) {
-        overlay_size(stage->panel.text[i], place.scale, &widths[i], &up);
-        most = fmax(most, up);
-        sum += widths[i];
-    }
-    place.x = what == PANEL_LEGEND ? 4 : (width - sum) / 2;
-    place.y = what == PANEL_LEGEND ? 4
-              : what == PANEL_HELP ? (height - most) / 2
-                                   : height - most - 4;
-    if (what == PANEL_WARNING)
-        place.y -= 30 * place.scale; /* above the notice */
-    for (int i = 0; i < stage->panel.columns; i++) {
-        overlay_text(stage->overlay, &place, stage->panel.text[i]);
-        place.x += widths[i];
-    }
-}
-
 bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int framebuffer, int width,
                 int height, char *message)
 {
@@ -336,7 +261,7 @@ bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int frame
     if (tool->preview != PREVIEW_NONE && theatre[0] > 0 &&
         !preview_draw(stage->preview, tool, stage->image.texture, framebuffer, theatre, message))
         return false;
-    for (int what = 0; !tool->text_on_dome && what < PANELS; what++)
-        draw_panel(stage, tool, framebuffer, width, height, (enum panel_place)what);
+    if (!tool->text_on_dome)
+        panels_draw(stage->overlay, tool, framebuffer, width, height);
     return true;
 }

@@ -1,0 +1,127 @@
+/* Where panels of text stand. */
+#include "tool/panel_draw.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tool/panel.h"
+
+static const double RADIANS = 3.14159265358979323846 / 180;
+
+static const struct {
+    unsigned char ink[4];
+    float light[3];    /* the same on the dome */
+    double pitch_deg;  /* on the dome */
+    double hangs;      /* how much of it is below: 1 all, 0.5 one half, 0 nothing */
+    double widest_rad; /* what would be larger on the dome is drawn smaller */
+    double highest_rad;
+} looks[PANELS] = {
+    [PANEL_LEGEND] = {{255, 255, 255, 255}, {0.9f, 0.9f, 0.9f}, -12, 1, 1.5, 0.65},
+    [PANEL_HELP] = {{255, 240, 200, 255}, {0.9f, 0.85f, 0.6f}, 0, 0.5, 1.8, 1.5},
+    [PANEL_WARNING] = {{255, 90, 80, 255}, {1.0f, 0.12f, 0.08f}, 11, 0, 1.2, 0.3},
+    [PANEL_NOTICE] = {{170, 255, 170, 255}, {0.4f, 1.0f, 0.4f}, 4, 0, 1.2, 0.3},
+};
+
+/* Of a panel's columns, in units of the letters; returns the width of them all. */
+static double measure_columns(const struct panel *panel, double widths[PANEL_COLUMNS],
+                              double *height)
+{
+    double sum = 0, up;
+
+    *height = 0;
+    for (int i = 0; i < panel->columns; i++) {
+        dome_text_size(panel->text[i], &widths[i], &up);
+        *height = fmax(*height, up);
+        sum += widths[i];
+    }
+    return sum;
+}
+
+/* Columns side by side, level with each other. */
+static void draw_on_dome(struct dome_text *text, const struct tool *tool,
+                         const struct cupola_rig *rig, unsigned int points, double unit_rad,
+                         enum panel_place place)
+{
+    double pitch = looks[place].pitch_deg * RADIANS, widths[PANEL_COLUMNS], height, own, sum, x;
+    struct dome_label label = {
+        .direction = {0, sin(pitch), -cos(pitch)}, .unit_rad = unit_rad, .ground = 0.8f};
+    struct panel panel;
+
+    panel_write(tool, place, 44, &panel);
+    sum = measure_columns(&panel, widths, &height);
+    memcpy(label.ink, looks[place].light, sizeof label.ink);
+    label.unit_rad = fmin(label.unit_rad, looks[place].widest_rad / fmax(sum, 1));
+    label.unit_rad = fmin(label.unit_rad, looks[place].highest_rad / fmax(height, 1));
+    x = -0.5 * sum;
+    for (int i = 0; i < panel.columns; i++) {
+        dome_text_size(panel.text[i], &widths[i], &own);
+        label.text = panel.text[i];
+        label.corner[0] = x;
+        label.corner[1] = height * (1 - looks[place].hangs) - own;
+        dome_text_draw(text, rig, tool->output, points, &label);
+        x += widths[i];
+    }
+}
+
+void panels_draw_on_dome(struct dome_text *text, const struct tool *tool,
+                         const struct cupola_rig *rig, unsigned int points, double per_px_rad)
+{
+    /* The help needs all the room there is. */
+    for (int place = 0; place < PANELS; place++)
+        if (!tool->shows_help || place == PANEL_HELP)
+            draw_on_dome(text, tool, rig, points, 1.4 * per_px_rad, (enum panel_place)place);
+}
+
+/* The largest letters, in halves, with which a panel fits. */
+static double fitting_scale(const struct panel *panel, double width, double height)
+{
+    double scale = 1, across, up, most, sum;
+
+    for (double wished = 1.5; wished <= (width >= 900 && height >= 500 ? 2 : 1); wished += 0.5) {
+        sum = most = 0;
+        for (int i = 0; i < panel->columns; i++) {
+            overlay_size(panel->text[i], wished, &across, &up);
+            sum += across;
+            most = fmax(most, up);
+        }
+        if (sum <= width && most <= height)
+            scale = wished;
+    }
+    return scale;
+}
+
+static void draw(struct overlay *overlay, const struct tool *tool, enum panel_place what,
+                 struct overlay_place place)
+{
+    double widths[PANEL_COLUMNS], most = 0, sum = 0, up;
+    const double footer = what == PANEL_HELP ? 60 : 0; /* messages stand there */
+    struct panel panel;
+
+    panel_write(tool, what, place.width / (place.width >= 900 ? 16 : 8) - 2, &panel);
+    place.scale = fitting_scale(&panel, place.width - 8, place.height - 8 - footer);
+    place.ink = looks[what].ink;
+    for (int i = 0; i < panel.columns; i++) {
+        overlay_size(panel.text[i], place.scale, &widths[i], &up);
+        most = fmax(most, up);
+        sum += widths[i];
+    }
+    place.x = what == PANEL_LEGEND ? 4 : (place.width - sum) / 2;
+    place.y = what == PANEL_LEGEND || what == PANEL_HELP ? 4 : place.height - most - 4;
+    if (what == PANEL_WARNING && *tool->notice)
+        place.y -= 22 * place.scale; /* above the notice */
+    for (int i = 0; i < panel.columns; i++) {
+        overlay_text(overlay, &place, panel.text[i]);
+        place.x += widths[i];
+    }
+}
+
+void panels_draw(struct overlay *overlay, const struct tool *tool, unsigned int framebuffer,
+                 int width, int height)
+{
+    const struct overlay_place place = {
+        .framebuffer = framebuffer, .width = width, .height = height};
+
+    for (int what = 0; what < PANELS; what++)
+        if (what != PANEL_LEGEND || !tool->shows_help)
+            draw(overlay, tool, (enum panel_place)what, place);
+}
