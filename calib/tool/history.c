@@ -20,11 +20,15 @@ struct history *history_create(const struct values *start)
 {
     struct history *history = malloc(sizeof *history);
 
-    if (!history)
-        return NULL;
+    if (history)
+        history_restart(history, start);
+    return history;
+}
+
+void history_restart(struct history *history, const struct values *start)
+{
     history->start = *start;
     history->count = history->position = 0;
-    return history;
 }
 
 void history_destroy(struct history *history)

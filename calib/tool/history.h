@@ -30,6 +30,9 @@ struct history;
 struct history *history_create(const struct values *start);
 void history_destroy(struct history *history);
 
+/* Forgets all and begins with these values. */
+void history_restart(struct history *history, const struct values *start);
+
 /* Adds a step; what could be redone is gone. */
 void history_push(struct history *history, const struct change *change);
 

@@ -1,34 +1,226 @@
-/* The journal. */
+/* The journal: opened and played at the start, then a line for every change. */
 #include "tool/journal.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "short_path.h"
+#include "tool/journal_file.h"
+#include "tool/journal_play.h"
+#include "tool/journal_start.h"
+
+struct journal {
+    struct journal_file file;
+    long lines;
+    bool failing;    /* the last line could not be written */
+    double synced_s; /* when it was brought to the disk last */
+    int look[4];     /* as it was written last */
+};
+
+static const double sync_s = 1; /* between two times that it is brought to the disk */
+
+static void look_of(const struct tool *tool, int look[4])
+{
+    look[0] = (int)tool->pattern;
+    look[1] = (int)tool->group;
+    look[2] = (int)tool->about;
+    look[3] = tool->coefficient;
+}
+
+/* Writes a line; where that fails the tool says so once and works on. */
+static void append(struct tool *tool, const struct journal_text *text)
+{
+    struct journal *journal = tool->journal;
+    char line[JOURNAL_TEXT_MAX + 64];
+    size_t length = journal_line_print(line, ++journal->lines, text);
+
+    if (journal_file_append(&journal->file, line, length)) {
+        if (journal->failing)
+            snprintf(tool->notice, MESSAGE_SIZE, "the journal is written again");
+        journal->failing = false;
+        return;
+    }
+    if (!journal->failing)
+        snprintf(tool->warning, MESSAGE_SIZE,
+                 "the journal cannot be written (%s): save soon, a crash would lose what comes now",
+                 strerror(errno));
+    journal->failing = true;
+}
+
+static void write_start(struct tool *tool)
+{
+    struct journal_text text;
+
+    for (int i = 0; journal_start_line(tool, i, &text); i++)
+        append(tool, &text);
+    look_of(&(struct tool){0}, tool->journal->look);
+    journal_look(tool);
+    journal_file_sync(&tool->journal->file);
+}
+
+/* Moves what is there aside and begins a new file. */
+static bool begin_anew(struct journal *journal, const char *ending, char *name, size_t name_size,
+                       char *message)
+{
+    char *path = strdup(journal->file.path);
+    bool begun = path && journal_file_keep_aside(&journal->file, ending, name, name_size, message);
+
+    journal_file_close(&journal->file, false);
+    if (begun)
+        begun = journal_file_open(&journal->file, path, message) == JOURNAL_FILE_OPEN;
+    free(path);
+    return begun;
+}
+
+static enum journal_found start_damaged(struct tool *tool, const struct journal_play *play,
+                                        char *message)
+{
+    char name[4096];
+
+    if (!begin_anew(tool->journal, "damaged", name, sizeof name, message))
+        return JOURNAL_FAILED;
+    snprintf(tool->warning, MESSAGE_SIZE,
+             "the journal of an earlier session is damaged in line %ld; it was kept as %s, and "
+             "nothing of it is restored",
+             play->wrong, short_path(name).text);
+    return JOURNAL_NEW;
+}
+
+static enum journal_found found(struct tool *tool, enum journal_played played,
+                                const struct journal_play *play, char *message)
+{
+    struct journal *journal = tool->journal;
+
+    switch (played) {
+    case JOURNAL_PLAYED:
+        journal->lines = play->lines;
+        journal_file_cut(&journal->file, play->good);
+        snprintf(tool->notice, MESSAGE_SIZE,
+                 "restored from %s: %ld changes (--fresh starts without them)",
+                 short_path(journal->file.path).text, play->changes);
+        return JOURNAL_RESTORED;
+    case JOURNAL_EMPTY:
+        journal_file_cut(&journal->file, 0);
+        return JOURNAL_NEW;
+    case JOURNAL_DAMAGED:
+        return start_damaged(tool, play, message);
+    case JOURNAL_OTHER:
+        snprintf(message, MESSAGE_SIZE,
+                 "%s is of projector %d, not of %d; allowed: --projector %d to go on with it, or "
+                 "--fresh",
+                 short_path(journal->file.path).text, play->output, tool->output, play->output);
+        return JOURNAL_FAILED;
+    case JOURNAL_MEMORY:
+        break;
+    }
+    snprintf(message, MESSAGE_SIZE, "out of memory for %s", short_path(journal->file.path).text);
+    return JOURNAL_FAILED;
+}
+
+static enum journal_found look_into(struct tool *tool, bool fresh, char *message)
+{
+    struct journal_play play;
+    enum journal_found result;
+    char name[4096];
+    size_t size;
+    char *bytes = journal_file_read(&tool->journal->file, &size, message);
+
+    if (!bytes)
+        return JOURNAL_FAILED;
+    if (size == 0)
+        result = JOURNAL_NEW;
+    else if (fresh)
+        result = begin_anew(tool->journal, "old", name, sizeof name, message) ? JOURNAL_NEW
+                                                                              : JOURNAL_FAILED;
+    else
+        result = found(tool, journal_play(tool, bytes, size, &play), &play, message);
+    free(bytes);
+    return result;
+}
 
 enum journal_found journal_open(struct tool *tool, bool fresh, char *message)
 {
-    (void)tool, (void)fresh, (void)message;
-    return JOURNAL_NEW;
+    size_t size = strlen(tool->rig_path) + sizeof ".journal";
+    char *path = malloc(size);
+    struct journal *journal = calloc(1, sizeof *journal);
+    enum journal_file_opened opened = JOURNAL_FILE_REFUSED;
+    enum journal_found result = JOURNAL_FAILED;
+
+    snprintf(message, MESSAGE_SIZE, "out of memory for the journal");
+    if (path && journal) {
+        snprintf(path, size, "%s.journal", tool->rig_path);
+        opened = journal_file_open(&journal->file, path, message);
+    }
+    free(path);
+    if (opened != JOURNAL_FILE_OPEN) {
+        free(journal);
+        if (opened == JOURNAL_FILE_REFUSED)
+            snprintf(tool->warning, MESSAGE_SIZE, "%.1400s; a crash would lose changes", message);
+        return opened == JOURNAL_FILE_REFUSED ? JOURNAL_NEW : JOURNAL_FAILED;
+    }
+    tool->journal = journal;
+    result = look_into(tool, fresh, message);
+    if (result == JOURNAL_FAILED)
+        journal_close(&tool->journal, false);
+    else if (result == JOURNAL_NEW)
+        write_start(tool);
+    else
+        look_of(tool, journal->look);
+    return result;
 }
 
 void journal_change(struct tool *tool, const struct values *before, const struct change *change,
                     bool merges)
 {
-    (void)tool, (void)before, (void)change, (void)merges;
+    struct journal_text text;
+
+    if (!tool->journal)
+        return;
+    journal_play_print(before, change, merges, &text);
+    append(tool, &text);
 }
 
 void journal_note(struct tool *tool, const char *line)
 {
-    (void)tool, (void)line;
+    struct journal_text text = {0};
+
+    if (!tool->journal)
+        return;
+    journal_text_add(&text, "%s", line);
+    append(tool, &text);
 }
 
 void journal_look(struct tool *tool)
 {
-    (void)tool;
+    int look[4];
+    char line[80];
+
+    if (!tool->journal)
+        return;
+    look_of(tool, look);
+    if (memcmp(look, tool->journal->look, sizeof look) == 0)
+        return;
+    memcpy(tool->journal->look, look, sizeof look);
+    snprintf(line, sizeof line, "look %d %d %d %d", look[0], look[1], look[2], look[3]);
+    journal_note(tool, line);
 }
 
 void journal_idle(struct journal *journal, double time_s)
 {
-    (void)journal, (void)time_s;
+    if (!journal || !journal->file.dirty ||
+        (time_s >= journal->synced_s && time_s - journal->synced_s < sync_s))
+        return;
+    journal->synced_s = time_s;
+    journal_file_sync(&journal->file);
 }
 
 void journal_close(struct journal **journal, bool remove_file)
 {
-    (void)journal, (void)remove_file;
+    if (!*journal)
+        return;
+    journal_file_close(&(*journal)->file, remove_file);
+    free(*journal);
+    *journal = NULL;
 }

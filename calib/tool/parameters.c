@@ -49,7 +49,16 @@ static const struct parameter_info infos[PARAMETER_COUNT] = {
     [PARAMETER_MARK] = {"mark", UNIT_NONE, 0, 1},
 };
 
-static const double degrees = 180 / 3.14159265358979323846;
+/* In long double, so that 120 degrees stay 120. */
+static double to_deg(double angle_rad)
+{
+    return (double)(angle_rad * (180 / 3.14159265358979323846264338327950288L));
+}
+
+static double to_rad(double angle_deg)
+{
+    return (double)(angle_deg * (3.14159265358979323846264338327950288L / 180));
+}
 
 const char *parameter_name(int parameter)
 {
@@ -134,7 +143,7 @@ double parameter_get(const struct tool *tool, enum parameter parameter)
 {
     double raw = raw_get(tool, parameter);
 
-    return infos[parameter].unit == UNIT_DEG ? raw * degrees : raw;
+    return infos[parameter].unit == UNIT_DEG ? to_deg(raw) : raw;
 }
 
 double parameter_step(const struct tool *tool, enum parameter parameter)
@@ -169,9 +178,9 @@ static bool check_own(const struct tool *tool, enum parameter parameter, double 
     switch (parameter) {
     case PARAMETER_DOT_YAW:
     case PARAMETER_DOT_PITCH:
-        return fabs(raw) * degrees <= 360 || refuse(message, name, value, "-360 to 360");
+        return fabs(to_deg(raw)) <= 360 || refuse(message, name, value, "-360 to 360");
     case PARAMETER_DOT_SIZE:
-        return raw * degrees <= 90 || refuse(message, name, value, "above 0 and up to 90");
+        return to_deg(raw) <= 90 || refuse(message, name, value, "above 0 and up to 90");
     case PARAMETER_CROSS_X:
     case PARAMETER_CROSS_Y: {
         int size_px = parameter == PARAMETER_CROSS_X ? output->width_px : output->height_px;
@@ -208,7 +217,7 @@ static bool check_alone(const struct tool *tool, enum parameter parameter, doubl
 
 bool parameter_set(struct tool *tool, enum parameter parameter, double value)
 {
-    double raw = infos[parameter].unit == UNIT_DEG ? value / degrees : value;
+    double raw = infos[parameter].unit == UNIT_DEG ? to_rad(value) : value;
     double old = raw_get(tool, parameter);
     struct cupola_error error = {0};
 
@@ -298,7 +307,7 @@ bool values_check(const struct tool *tool, const struct values *values, char *me
     struct cupola_error error = {0};
 
     for (int i = 0; i < PARAMETER_COUNT; i++) {
-        double shown = values->raw[i] * (infos[i].unit == UNIT_DEG ? degrees : 1);
+        double shown = infos[i].unit == UNIT_DEG ? to_deg(values->raw[i]) : values->raw[i];
         if (!check_alone(tool, (enum parameter)i, values->raw[i], shown, message))
             return false;
     }
