@@ -1,10 +1,279 @@
-/* The interactive tool's command line. */
+/* The interactive tool, from its command line to its end. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cupola/rig_file.h>
+#include <cupola/version.h>
+
+#include "output_file.h"
+#include "short_path.h"
 #include "status.h"
+#include "tool/journal.h"
+#include "tool/script.h"
+#include "tool/still.h"
 #include "tool/tool.h"
+#include "tool/tool_options.h"
+#include "tool/window.h"
+#include "viewer_feed.h"
+
+static int read_rig(const char *path, struct cupola_rig *rig, char *message)
+{
+    struct cupola_error error = {0};
+
+    if (cupola_rig_read(path, NULL, rig, &error) >= 0)
+        return STATUS_OK;
+    snprintf(message, MESSAGE_SIZE, "%s", error.message);
+    return STATUS_FAILED;
+}
+
+static int begin_rig(const struct tool_options *options, struct cupola_rig *rig, char *message)
+{
+    int status = STATUS_OK;
+
+    *rig = (struct cupola_rig){0};
+    if (options->rig)
+        status = read_rig(options->rig, rig, message);
+    else if (options->preset)
+        cupola_rig_preset(options->preset, rig, NULL);
+    else
+        cupola_rig_complete(rig, rig, NULL);
+    if (status == STATUS_OK && options->projector >= rig->output_count) {
+        snprintf(message, MESSAGE_SIZE, "--projector: %d is not allowed; allowed: 0 to %d",
+                 options->projector, rig->output_count - 1);
+        status = STATUS_USAGE;
+    }
+    return status;
+}
+
+/* lobby.csv: lobby-steered.csv, and that again the same. To be freed. */
+static char *steered_path(const struct tool_options *options)
+{
+    static const char tail[] = "-steered.csv";
+    const char *from = options->marks_output ? options->marks_output : options->marks;
+    size_t length = strlen(from), end = strlen(tail);
+    char *path = malloc(length + sizeof tail);
+
+    if (!path)
+        return NULL;
+    memcpy(path, from, length + 1);
+    if (options->marks_output || (length >= end && strcmp(path + length - end, tail) == 0))
+        return path;
+    if (length > 4 && strcmp(path + length - 4, ".csv") == 0)
+        length -= 4;
+    memcpy(path + length, tail, sizeof tail);
+    return path;
+}
+
+static int open_tool(const struct tool_options *options, struct tool *tool, char *message)
+{
+    struct cupola_rig rig;
+    struct marks marks = {0};
+    const char *rig_path = options->output ? options->output : options->rig;
+    char *marks_path = NULL;
+    int status = begin_rig(options, &rig, message);
+
+    if (!rig_path)
+        rig_path = "rig.cfg";
+    if (status == STATUS_OK && !output_file_check("--output", rig_path, message))
+        status = STATUS_FAILED;
+    if (status == STATUS_OK && options->marks) {
+        marks_path = steered_path(options);
+        if (!marks_path || !output_file_check("--marks-output", marks_path, message) ||
+            !marks_read(options->marks, false, &marks, message))
+            status = STATUS_FAILED;
+    }
+    if (status == STATUS_OK &&
+        !tool_open(tool, &rig, options->projector, options->marks ? &marks : NULL, rig_path,
+                   marks_path, message))
+        status = STATUS_FAILED;
+    free(marks_path);
+    return status;
+}
+
+/* Journal, then what the command line says over it. */
+static int begin(const struct tool_options *options, struct tool *tool, char *message)
+{
+    struct cupola_rig theatre;
+    int status = options->theatre ? read_rig(options->theatre, &theatre, message) : STATUS_OK;
+
+    if (status != STATUS_OK)
+        return status;
+    if ((!options->script && !options->picture && !options->headless) || options->journal) {
+        if (journal_open(tool, options->fresh, message) == JOURNAL_FAILED)
+            return STATUS_FAILED;
+    }
+    if (options->theatre)
+        tool->theatre = theatre;
+    if (options->pattern >= 0)
+        tool->pattern = (enum pattern)options->pattern;
+    if (options->preview >= 0)
+        tool->preview = (enum preview)options->preview;
+    journal_look(tool);
+    return STATUS_OK;
+}
+
+/* What draws without a window. */
+struct drawing {
+    const struct tool_options *options;
+    struct still *still; /* made when it is needed */
+};
+
+static void size_of(const struct drawing *drawing, const struct tool *tool, int *width, int *height)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+
+    *width = drawing->options->width > 0 ? drawing->options->width : output->width_px;
+    *height = drawing->options->height > 0 ? drawing->options->height : output->height_px;
+}
+
+static bool begin_drawing(struct drawing *drawing, char *message)
+{
+    if (!drawing->still)
+        drawing->still = still_create(message);
+    return drawing->still != NULL;
+}
+
+static bool draw_picture(void *user, struct tool *tool, bool dome, const char *path, char *message)
+{
+    struct drawing *drawing = user;
+    int width = 0, height = 0;
+
+    if (!output_file_check("picture", path, message) || !begin_drawing(drawing, message))
+        return false;
+    if (!dome)
+        size_of(drawing, tool, &width, &height);
+    return still_write(drawing->still, tool, width, height, path, message);
+}
+
+static bool draw_frames(void *user, struct tool *tool, int count, char *message)
+{
+    struct drawing *drawing = user;
+    int width, height;
+
+    if (!begin_drawing(drawing, message))
+        return false;
+    size_of(drawing, tool, &width, &height);
+    for (int i = 0; i < count; i++)
+        if (!still_draw(drawing->still, tool, width, height, message))
+            return false;
+    return true;
+}
+
+static int play_script(struct tool *tool, const char *path, struct drawing *drawing, char *message)
+{
+    const struct script_stage stage = {drawing, draw_picture, draw_frames};
+    bool is_stdin = strcmp(path, "-") == 0;
+    FILE *stream = is_stdin ? stdin : fopen(path, "r");
+    int status;
+
+    if (!stream) {
+        snprintf(message, MESSAGE_SIZE, "--script: %s cannot be read", short_path(path).text);
+        return STATUS_FAILED;
+    }
+    status = script_play(tool, stream, is_stdin ? "standard input" : path, &stage, message);
+    if (!is_stdin)
+        fclose(stream);
+    return status;
+}
+
+static int run_without_window(const struct tool_options *options, struct tool *tool, char *message)
+{
+    struct drawing drawing = {options, NULL};
+    int status = STATUS_OK;
+
+    if (options->script)
+        status = play_script(tool, options->script, &drawing, message);
+    else if ((options->frames > 0 && !draw_frames(&drawing, tool, options->frames, message)) ||
+             (options->picture && !draw_picture(&drawing, tool, false, options->picture, message)))
+        status = STATUS_FAILED;
+    still_destroy(drawing.still);
+    return status;
+}
+
+/* What moves by itself in a window. */
+struct moving {
+    struct viewer_feed *feed; /* NULL: no tracker */
+    int frames;               /* left; 0: no end */
+};
+
+static void before_frame(struct tool *tool, void *user)
+{
+    struct moving *moving = user;
+
+    if (moving->feed && viewer_feed_eye(moving->feed, tool->live_eye_m))
+        tool->viewer_lives = true;
+    if (moving->frames > 0 && --moving->frames == 0)
+        tool->ends = true;
+}
+
+static bool listen_to_tracker(const struct tool_options *options, const struct tool *tool,
+                              struct moving *moving, char *message)
+{
+    const struct viewer_feed_wishes wishes = {
+        .address = options->osc, .ahead_s = 0.02, .radius_m = 0.9 * tool->rig.screen.radius_m};
+
+    if (!options->osc)
+        return true;
+    moving->feed = viewer_feed_create(&wishes, message);
+    if (moving->feed)
+        fprintf(stderr, "cupola-calib: the eye is heard at %s\n",
+                viewer_feed_address(moving->feed));
+    return moving->feed != NULL;
+}
+
+static int run_window(const struct tool_options *options, struct tool *tool, char *message)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+    struct moving moving = {NULL, options->frames > 0 ? options->frames + 1 : 0};
+    struct window_wishes wishes = {
+        .monitor = options->monitor, .swap_interval = options->swap_interval, .user = &moving};
+    int status = STATUS_FAILED;
+
+    if (options->windowed) {
+        wishes.width = options->width > 0 ? options->width : output->width_px;
+        wishes.height = options->height > 0 ? options->height : output->height_px;
+    }
+    if (options->osc || options->frames > 0)
+        wishes.before_frame = before_frame;
+    if (listen_to_tracker(options, tool, &moving, message))
+        status = window_run(tool, &wishes, message);
+    viewer_feed_destroy(moving.feed);
+    return status;
+}
+
+static int run(const struct tool_options *options, char *message)
+{
+    struct tool tool;
+    int status = open_tool(options, &tool, message);
+
+    if (status != STATUS_OK)
+        return status;
+    status = begin(options, &tool, message);
+    if (status == STATUS_OK && tool.warning[0])
+        complain("", STATUS_OK, tool.warning);
+    if (status == STATUS_OK)
+        status = options->script || options->picture || options->headless
+                     ? run_without_window(options, &tool, message)
+                     : run_window(options, &tool, message);
+    if (tool.journal && tool.unsaved)
+        fprintf(stderr, "cupola-calib: unsaved changes are kept in %s.journal\n",
+                short_path(tool.rig_path).text);
+    tool_close(&tool);
+    return status;
+}
 
 int tool_main(int argc, char **argv)
 {
-    (void)argc;
-    (void)argv;
-    return complain("", STATUS_USAGE, "not there yet");
+    struct tool_options options;
+    char message[MESSAGE_SIZE] = "";
+    int status = tool_options_parse(argc, argv, &options, message);
+
+    if (status == STATUS_OK && options.help)
+        tool_options_help();
+    else if (status == STATUS_OK && options.version)
+        printf("cupola-calib %s\n", cupola_version());
+    else if (status == STATUS_OK)
+        status = run(&options, message);
+    return status == STATUS_OK ? STATUS_OK : complain("", status, message);
 }

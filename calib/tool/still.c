@@ -53,16 +53,30 @@ static bool size_target(struct still *still, int width, int height, char *messag
     return target_create(&still->target, width, height, TARGET_BYTES, message, MESSAGE_SIZE);
 }
 
+/* The target of this size, or the stage's own for 0 x 0; NULL on failure. */
+static const struct target *draw(struct still *still, const struct tool *tool, int width,
+                                 int height, char *message)
+{
+    bool alone = width < 1 || height < 1;
+    bool drawn = (alone || size_target(still, width, height, message)) &&
+                 stage_draw(still->stage, tool, still->target.framebuffer, alone ? 0 : width,
+                            alone ? 0 : height, message);
+
+    if (!drawn)
+        return NULL;
+    return alone ? stage_image(still->stage) : &still->target;
+}
+
+bool still_draw(struct still *still, const struct tool *tool, int width, int height, char *message)
+{
+    return draw(still, tool, width, height, message) != NULL;
+}
+
 bool still_write(struct still *still, const struct tool *tool, int width, int height,
                  const char *path, char *message)
 {
-    bool alone = width < 1 || height < 1;
-    const struct target *shown = alone ? stage_image(still->stage) : &still->target;
+    const struct target *shown = draw(still, tool, width, height, message);
 
-    if (!alone && !size_target(still, width, height, message))
-        return false;
-    if (!stage_draw(still->stage, tool, still->target.framebuffer, alone ? 0 : width,
-                    alone ? 0 : height, message))
-        return false;
-    return output_file_capture(path, shown->framebuffer, shown->width, shown->height, message);
+    return shown &&
+           output_file_capture(path, shown->framebuffer, shown->width, shown->height, message);
 }

@@ -22,4 +22,7 @@ void still_destroy(struct still *still);
 bool still_write(struct still *still, const struct tool *tool, int width, int height,
                  const char *path, char *message);
 
+/* Draws the same and throws it away. */
+bool still_draw(struct still *still, const struct tool *tool, int width, int height, char *message);
+
 #endif
