@@ -63,6 +63,29 @@ double picture_difference(const struct picture *a, const struct picture *b)
     return largest;
 }
 
+double picture_mean_difference(const struct picture *a, const struct picture *b, double *largest)
+{
+    double sum = 0, middle = 0.5 * a->width;
+    int count = 0;
+
+    assert_int_equal(a->width, b->width);
+    assert_int_equal(a->height, b->height);
+    *largest = 0;
+    for (int j = 0; j < a->height; j++)
+        for (int i = 0; i < a->width; i++) {
+            if (hypot(i + 0.5 - middle, j + 0.5 - middle) > middle - 2)
+                continue;
+            for (int c = 0; c < 3; c++) {
+                double off =
+                    fabs((double)picture_pixel(a, i, j)[c] - (double)picture_pixel(b, i, j)[c]);
+                *largest = fmax(*largest, off);
+                sum += off;
+                count++;
+            }
+        }
+    return sum / count;
+}
+
 static bool differ(const float *a, const float *b)
 {
     for (int c = 0; c < 3; c++)

@@ -24,6 +24,12 @@ const float *picture_pixel(const struct picture *picture, int x, int y);
 double picture_difference(const struct picture *a, const struct picture *b);
 
 /*
+ * The mean over red, green and blue of all pixels that are well inside of the circle, which fills
+ * both pictures; and the largest.
+ */
+double picture_mean_difference(const struct picture *a, const struct picture *b, double *largest);
+
+/*
  * How many pixels of `small` differ by more than 0.015 from `large` from (left, bottom) on.
  */
 int picture_others(const struct picture *small, const struct picture *large, int left, int bottom);

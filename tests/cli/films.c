@@ -50,33 +50,10 @@ static void directions(double u, double v, float rgb[3])
     rgb[2] = (float)(-cos(latitude) * cos(longitude));
 }
 
-/* Over pixels well inside of the circle, which fills the picture: the mean difference. */
-static double mean_difference(const struct picture *a, const struct picture *b, double *largest)
-{
-    double sum = 0, middle = 0.5 * a->width;
-    int count = 0;
-
-    assert_int_equal(a->width, b->width);
-    *largest = 0;
-    for (int j = 0; j < a->height; j++)
-        for (int i = 0; i < a->width; i++) {
-            if (hypot(i + 0.5 - middle, j + 0.5 - middle) > middle - 2)
-                continue;
-            for (int c = 0; c < 3; c++) {
-                double off =
-                    fabs((double)picture_pixel(a, i, j)[c] - (double)picture_pixel(b, i, j)[c]);
-                *largest = fmax(*largest, off);
-                sum += off;
-                count++;
-            }
-        }
-    return sum / count;
-}
-
 static double difference_of(const char *shown, const char *scene, double *largest)
 {
     struct picture is = demo_run_pfm(&process, shown);
-    double mean = mean_difference(&is, demo_picture_of(&process, scene), largest);
+    double mean = picture_mean_difference(&is, demo_picture_of(&process, scene), largest);
 
     cupola_image_free(&is.rgba);
     return mean;

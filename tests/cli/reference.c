@@ -201,32 +201,10 @@ static void a_killed_film_goes_on_with_its_picture(void **state)
 
 /* ---- what the mean is of ---- */
 
-/* The mean and the largest difference over pixels well inside of the circle. */
-static double difference(const struct picture *a, const struct picture *b, double *largest)
-{
-    double sum = 0;
-    int count = 0;
-
-    *largest = 0;
-    for (int j = 0; j < SIDE; j++)
-        for (int i = 0; i < SIDE; i++) {
-            if (hypot(i + 0.5 - SIDE / 2, j + 0.5 - SIDE / 2) > SIDE / 2 - 2)
-                continue;
-            for (int c = 0; c < 3; c++) {
-                double off =
-                    fabs((double)picture_pixel(a, i, j)[c] - (double)picture_pixel(b, i, j)[c]);
-                *largest = fmax(*largest, off);
-                sum += off;
-                count++;
-            }
-        }
-    return sum / count;
-}
-
 static double compared(const char *command, const char *other, double *largest)
 {
     struct picture a = demo_run_pfm(&process, command), b = demo_run_pfm(&process, other);
-    double mean = difference(&a, &b, largest);
+    double mean = picture_mean_difference(&a, &b, largest);
 
     cupola_image_free(&a.rgba);
     cupola_image_free(&b.rgba);

@@ -29,29 +29,7 @@ static const char *pass_version(void)
 
 static void attach(GLuint program, GLenum kind, const char *const *texts, int count)
 {
-    char log[2048] = "";
-    GLint compiled = GL_FALSE;
-    GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, count, texts, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    glGetShaderInfoLog(shader, sizeof log, NULL, log);
-    if (!compiled)
-        fail_msg("shader 0x%x: %s", kind, log);
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
-}
-
-static GLuint link_program(GLuint program)
-{
-    char log[2048] = "";
-    GLint linked = GL_FALSE;
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    glGetProgramInfoLog(program, sizeof log, NULL, log);
-    if (!linked)
-        fail_msg("program: %s", log);
-    return program;
+    assert_true(context_attach(program, kind, texts, count));
 }
 
 static const char *const *fragment_texts(const char *version, const char *texts[3])
@@ -84,7 +62,7 @@ GLuint confetti_program(enum cupola_pass_way way, GLenum mode, const char *place
         attach(program, GL_GEOMETRY_SHADER, (const char *const[]){pass_version(), text}, 2);
     }
     attach(program, GL_FRAGMENT_SHADER, fragment_texts(pass_version(), fragment), 3);
-    link_program(program);
+    context_link(program);
     glUniformBlockBinding(program, glGetUniformBlockIndex(program, "cupola_pass"),
                           CONFETTI_BINDING);
     return program;
@@ -99,7 +77,7 @@ void confetti_create(struct confetti *confetti, enum cupola_pass_way way, GLenum
            (const char *const[]){context_shader_head(), looped_place, shader_confetti_vert}, 3);
     attach(confetti->looped, GL_FRAGMENT_SHADER, fragment_texts(context_shader_head(), fragment),
            3);
-    link_program(confetti->looped);
+    context_link(confetti->looped);
     confetti->passed = confetti_program(way, mode, passed_place);
     confetti->wrong = confetti_program(way, mode, wrong_place);
     glGenVertexArrays(1, &confetti->vertex_array);

@@ -63,35 +63,56 @@ const char *context_shader_head(void)
                            : "#version 330 core\n";
 }
 
-GLuint context_compile(GLenum kind, const char *source)
+static bool compile(GLuint shader, const char *const *texts, int count)
 {
-    const char *const sources[2] = {context_shader_head(), source};
-    char log[1024] = "";
+    char log[2048] = "";
     GLint compiled = GL_FALSE;
-    GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, 2, sources, NULL);
+    glShaderSource(shader, count, texts, NULL);
     glCompileShader(shader);
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
     glGetShaderInfoLog(shader, sizeof log, NULL, log);
     if (!compiled)
-        fail_msg("test shader: %s", log);
+        print_message("  shader: %s\n", log);
+    return compiled;
+}
+
+GLuint context_compile(GLenum kind, const char *source)
+{
+    const char *const texts[2] = {context_shader_head(), source};
+    GLuint shader = glCreateShader(kind);
+    assert_true(compile(shader, texts, 2));
     return shader;
+}
+
+bool context_attach(GLuint program, GLenum kind, const char *const *texts, int count)
+{
+    GLuint shader = glCreateShader(kind);
+    bool compiled = compile(shader, texts, count);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+    return compiled;
+}
+
+GLuint context_link(GLuint program)
+{
+    char log[2048] = "";
+    GLint linked = GL_FALSE;
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    glGetProgramInfoLog(program, sizeof log, NULL, log);
+    if (!linked)
+        fail_msg("program: %s", log);
+    return program;
 }
 
 GLuint context_program(const char *vertex, const char *fragment)
 {
-    const GLuint shaders[] = {context_compile(GL_VERTEX_SHADER, vertex),
-                              context_compile(GL_FRAGMENT_SHADER, fragment)};
-    GLint linked = GL_FALSE;
+    const char *const vertex_texts[2] = {context_shader_head(), vertex};
+    const char *const fragment_texts[2] = {context_shader_head(), fragment};
     GLuint program = glCreateProgram();
-    for (int i = 0; i < 2; i++) {
-        glAttachShader(program, shaders[i]);
-        glDeleteShader(shaders[i]);
-    }
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    assert_int_equal(linked, GL_TRUE);
-    return program;
+    assert_true(context_attach(program, GL_VERTEX_SHADER, vertex_texts, 2));
+    assert_true(context_attach(program, GL_FRAGMENT_SHADER, fragment_texts, 2));
+    return context_link(program);
 }
 
 void context_read_pixels(int width, int height, float *rgba)

@@ -28,8 +28,15 @@ bool context_has_floats(void);
  */
 const char *context_shader_head(void);
 GLuint context_compile(GLenum kind, const char *source);
+
 /* Of a vertex and a fragment shader without that line. */
 GLuint context_program(const char *vertex, const char *fragment);
+
+/* A shader of whole texts, attached; false, and the compiler's words printed, if it is refused. */
+bool context_attach(GLuint program, GLenum kind, const char *const *texts, int count);
+
+/* The program itself; the test fails with the linker's words. */
+GLuint context_link(GLuint program);
 
 /* glReadPixels of RGBA as floats, where OpenGL ES would only give bytes. */
 void context_read_pixels(int width, int height, float *rgba);

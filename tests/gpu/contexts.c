@@ -9,18 +9,10 @@
 #include "check.h"
 #include "context.h"
 #include "fixture.h"
+#include "message.h"
 #include "rig_random.h"
 
 enum { SIZE = 64, EXIT_SKIPPED = 77 };
-
-static void check_refused(int status, int expected, const struct cupola_error *error,
-                          const char *word)
-{
-    assert_int_equal(status, expected);
-    assert_int_equal(error->status, expected);
-    if (!strstr(error->message, word))
-        fail_msg("'%s' does not say '%s'", error->message, word);
-}
 
 /* Without a context, first of all: nothing of the GL has been touched yet. */
 static void without_a_context_nothing_is_made(void **state)

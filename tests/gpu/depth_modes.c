@@ -10,17 +10,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "group.h"
 #include "host_depth.h"
 #include "rig_random.h"
-#include "triangles.h"
+#include "triangles_group.h"
 
 enum { MODES = 8, DEPTHS = CUPOLA_DEPTH_NONE + 1 };
 
 static const double near_distance = 0.5, far_distance = 80;
 static const float red[4] = {1, 0, 0, 1}, green[4] = {0, 1, 0, 1};
-
-static struct triangles triangles;
 
 static struct cupola_depth mode_of(int mode)
 {
@@ -305,20 +302,6 @@ static void the_framebuffer_has_what_was_wished(void **state)
     }
 }
 
-static int open_all(void **state)
-{
-    (void)state;
-    triangles = triangles_create();
-    return 0;
-}
-
-static int close_all(void **state)
-{
-    (void)state;
-    triangles_release(&triangles);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -328,6 +311,5 @@ int main(void)
         cmocka_unit_test(a_stencil_marks_and_every_view_begins_without_marks),
         cmocka_unit_test(the_framebuffer_has_what_was_wished),
     };
-    context_open();
-    return group_close(cmocka_run_group_tests_name("depth_modes", tests, open_all, close_all));
+    return run_triangles_group("depth_modes", tests);
 }

@@ -53,17 +53,9 @@ struct picture {
 
 static int setup(void **state)
 {
-    GLuint shaders[2];
     (void)state;
     context_open();
-    shaders[0] = context_compile(GL_VERTEX_SHADER, room_vertex);
-    shaders[1] = context_compile(GL_FRAGMENT_SHADER, room_fragment);
-    room_program = glCreateProgram();
-    for (int i = 0; i < 2; i++) {
-        glAttachShader(room_program, shaders[i]);
-        glDeleteShader(shaders[i]);
-    }
-    glLinkProgram(room_program);
+    room_program = context_program(room_vertex, room_fragment);
     glGenVertexArrays(1, &room_vertex_array);
     return 0;
 }

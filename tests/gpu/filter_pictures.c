@@ -273,9 +273,9 @@ static void check_controls(const struct scene *scene, const cupola_dome *dome, i
     check_at_least(pixels_unlike(&turned, dome, &shown_filters[number], shown), 2000);
 }
 
-static void every_ray_goes_through_the_picture(void **state)
+/* A check of a picture of each kind, with a GL side to be made. */
+static void check_each_kind(void (*check)(struct fixture *, struct scene *))
 {
-    (void)state;
     struct cupola_rig rig = shown_rig();
     struct fixture fixture;
     if (!context_has_floats())
@@ -284,51 +284,58 @@ static void every_ray_goes_through_the_picture(void **state)
     for (int kind = CUPOLA_SOURCE_DOMEMASTER; kind <= CUPOLA_SOURCE_CUBE; kind++) {
         struct scene scene;
         scene_make(fixture.dome, kind, &scene);
-        for (int i = 0; i < SHOWN_FILTERS; i++) {
-            set_gl(&fixture, &shown_filters[i], kind);
-            float *shown = picture_shown(&fixture, &scene.source);
-            int unlike = pixels_unlike(&scene, fixture.dome, &shown_filters[i], shown);
-            printf("%s, %s: %d pixels unlike\n", cupola_source_name(kind),
-                   cupola_antialiasing_name((int)shown_filters[i].method), unlike);
-            check_at_most(unlike, tolerated);
-            check_controls(&scene, fixture.dome, i, shown);
-            free(shown);
-        }
+        check(&fixture, &scene);
         scene_release(&scene);
     }
     fixture_release(&fixture);
+}
+
+static void check_filters(struct fixture *fixture, struct scene *scene)
+{
+    int kind = (int)scene->source.kind;
+    for (int i = 0; i < SHOWN_FILTERS; i++) {
+        set_gl(fixture, &shown_filters[i], kind);
+        float *shown = picture_shown(fixture, &scene->source);
+        int unlike = pixels_unlike(scene, fixture->dome, &shown_filters[i], shown);
+        printf("%s, %s: %d pixels unlike\n", cupola_source_name(kind),
+               cupola_antialiasing_name((int)shown_filters[i].method), unlike);
+        check_at_most(unlike, tolerated);
+        check_controls(scene, fixture->dome, i, shown);
+        free(shown);
+    }
+}
+
+static void every_ray_goes_through_the_picture(void **state)
+{
+    (void)state;
+    check_each_kind(check_filters);
+}
+
+static void check_color(struct fixture *fixture, struct scene *scene)
+{
+    const struct cupola_filter *filter = &shown_filters[scene->source.kind];
+    double worst = 0.0;
+    for (int i = 0; i < 4 * painted_faces(&scene->source) * scene->width * HEIGHT; i++)
+        scene->texels[i] = 0.75f;
+    glDeleteTextures(1, &scene->source.texture);
+    scene->source.mipmaps = true;
+    picture_upload(&scene->source, scene->texels, HEIGHT);
+    set_gl(fixture, filter, (int)scene->source.kind);
+    float *shown = picture_shown(fixture, &scene->source);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        float expected[4];
+        expect_pixel(scene, fixture->dome, filter, i, expected);
+        worst = worse_of(worst, picture_pixel_error(shown + 4 * i, expected));
+    }
+    check_at_most(worst, 5e-4); /* what floats know of coverages */
+    free(shown);
 }
 
 /* With mipmaps, of which each ray takes a level of its own; at rims mixed with the border once. */
 static void a_picture_of_one_color_stays_that_color(void **state)
 {
     (void)state;
-    struct cupola_rig rig = shown_rig();
-    struct fixture fixture;
-    if (!context_has_floats())
-        skip();
-    picture_fixture_make(&rig, &fixture);
-    for (int kind = CUPOLA_SOURCE_DOMEMASTER; kind <= CUPOLA_SOURCE_CUBE; kind++) {
-        struct scene scene;
-        double worst = 0.0;
-        scene_make(fixture.dome, kind, &scene);
-        for (int i = 0; i < 4 * painted_faces(&scene.source) * scene.width * HEIGHT; i++)
-            scene.texels[i] = 0.75f;
-        glDeleteTextures(1, &scene.source.texture);
-        scene.source.mipmaps = true;
-        picture_upload(&scene.source, scene.texels, HEIGHT);
-        set_gl(&fixture, &shown_filters[kind], kind);
-        float *shown = picture_shown(&fixture, &scene.source);
-        for (int i = 0; i < SIDE * SIDE; i++) {
-            float expected[4];
-            expect_pixel(&scene, fixture.dome, &shown_filters[kind], i, expected);
-            worst = worse_of(worst, picture_pixel_error(shown + 4 * i, expected));
-        }
-        check_at_most(worst, 5e-4); /* what floats know of coverages */
-        free(shown);
-        scene_release(&scene);
-    }
-    fixture_release(&fixture);
+    check_each_kind(check_color);
 }
 
 int main(void)

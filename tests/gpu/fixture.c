@@ -110,21 +110,9 @@ GLuint fixture_table_by_cpu(const struct fixture *fixture, int output, enum cupo
 
 static GLuint program_of(enum paint paint)
 {
-    GLint linked = GL_FALSE;
-    if (programs[paint])
-        return programs[paint];
-    GLuint vertex = context_compile(GL_VERTEX_SHADER, shader_paint_vert);
-    GLuint fragment = context_compile(GL_FRAGMENT_SHADER, paint_sources[paint]);
-    GLuint program = glCreateProgram();
-    glAttachShader(program, vertex);
-    glAttachShader(program, fragment);
-    glLinkProgram(program);
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    assert_true(linked);
-    programs[paint] = program;
-    return program;
+    if (!programs[paint])
+        programs[paint] = context_program(shader_paint_vert, paint_sources[paint]);
+    return programs[paint];
 }
 
 void fixture_forget_programs(void)

@@ -80,7 +80,6 @@ static GLuint program_of(const char *vertex, const char *fragment, const char *f
 {
     const GLuint shaders[] = {context_compile(GL_VERTEX_SHADER, vertex),
                               context_compile(GL_FRAGMENT_SHADER, fragment)};
-    GLint linked = GL_FALSE;
     GLuint program = glCreateProgram();
     for (int i = 0; i < 2; i++) {
         glAttachShader(program, shaders[i]);
@@ -88,10 +87,7 @@ static GLuint program_of(const char *vertex, const char *fragment, const char *f
     }
     if (feedback)
         glTransformFeedbackVaryings(program, 1, &feedback, GL_INTERLEAVED_ATTRIBS);
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    assert_true(linked);
-    return program;
+    return context_link(program);
 }
 
 static void programs_create(void)

@@ -7,6 +7,7 @@
 #include "context.h"
 #include "fixture.h"
 #include "live_objects.h"
+#include "message.h"
 #include "rig_random.h"
 
 enum { SIZE = 64, NAMES = 4096 };
@@ -39,15 +40,6 @@ static int close_context(void **state)
     fixture_forget_programs();
     context_close();
     return 0;
-}
-
-static void check_refused(int status, int expected, const struct cupola_error *error,
-                          const char *word)
-{
-    assert_int_equal(status, expected);
-    assert_int_equal(error->status, expected);
-    if (!strstr(error->message, word))
-        fail_msg("'%s' does not say '%s'", error->message, word);
 }
 
 static void views_come_after_frame_begin_and_one_at_a_time(void **state)

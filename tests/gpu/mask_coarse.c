@@ -8,14 +8,13 @@
 #include <string.h>
 
 #include "geometry/vector.h"
-#include "group.h"
 #include "mask_left.h"
 #include "rig_random.h"
+#include "triangles_group.h"
 
 enum { RIGS = 36, SIZE_MOST_PX = 8 };
 
 static const struct cupola_depth plain = {.near_distance = 0};
-static struct triangles triangles;
 
 struct sums {
     int tried, failures, seen;
@@ -192,25 +191,10 @@ static void no_mask_takes_what_coarse_pixels_sample(void **state)
     check_at_most(sums.left / sums.all, 0.95);
 }
 
-static int open_all(void **state)
-{
-    (void)state;
-    triangles = triangles_create();
-    return 0;
-}
-
-static int close_all(void **state)
-{
-    (void)state;
-    triangles_release(&triangles);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_mask_takes_what_coarse_pixels_sample),
     };
-    context_open();
-    return group_close(cmocka_run_group_tests_name("mask_coarse", tests, open_all, close_all));
+    return run_triangles_group("mask_coarse", tests);
 }

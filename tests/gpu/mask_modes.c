@@ -4,14 +4,13 @@
  */
 #include <stdio.h>
 
-#include "group.h"
 #include "mask_left.h"
 #include "rig_random.h"
+#include "triangles_group.h"
 
 enum { SIZE = 96, MODES = 8 };
 
 static const struct cupola_depth plain = {.near_distance = 0};
-static struct triangles triangles;
 
 static struct cupola_depth mode_of(int mode)
 {
@@ -162,20 +161,6 @@ static void masked_texels_are_not_shaded(void **state)
     fixture_release(&fixture);
 }
 
-static int open_all(void **state)
-{
-    (void)state;
-    triangles = triangles_create();
-    return 0;
-}
-
-static int close_all(void **state)
-{
-    (void)state;
-    triangles_release(&triangles);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +170,5 @@ int main(void)
         cmocka_unit_test(without_masks_or_tests_all_is_shaded),
         cmocka_unit_test(masked_texels_are_not_shaded),
     };
-    context_open();
-    return group_close(cmocka_run_group_tests_name("mask_modes", tests, open_all, close_all));
+    return run_triangles_group("mask_modes", tests);
 }

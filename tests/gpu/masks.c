@@ -11,15 +11,14 @@
 
 #include "cases.h"
 #include "geometry/vector.h"
-#include "group.h"
 #include "mask_left.h"
 #include "rig_random.h"
+#include "triangles_group.h"
 
 /* Every which theatre of the matrix is tried, and how many at most in OpenGL ES. */
 enum { EVERY = 4, ES_THEATRES = 8, EYES = 3 };
 
 static const struct cupola_depth plain = {.near_distance = 0};
-static struct triangles triangles;
 
 struct sums {
     bool all_theatres;
@@ -247,20 +246,6 @@ static void a_view_that_begins_again_is_masked_again(void **state)
     fixture_release(&fixture);
 }
 
-static int open_all(void **state)
-{
-    (void)state;
-    triangles = triangles_create();
-    return 0;
-}
-
-static int close_all(void **state)
-{
-    (void)state;
-    triangles_release(&triangles);
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -270,6 +255,5 @@ int main(void)
         cmocka_unit_test(masks_follow_an_eye_that_moves_from_view_to_view),
         cmocka_unit_test(a_view_that_begins_again_is_masked_again),
     };
-    context_open();
-    return group_close(cmocka_run_group_tests_name("masks", tests, open_all, close_all));
+    return run_triangles_group("masks", tests);
 }

@@ -37,22 +37,6 @@ static const char host_fragment[] = "precision highp float;\n"
                                     "out vec4 color;\n"
                                     "void main() { color = vec4(1.0, 0.0, 0.0, 1.0); }\n";
 
-static bool attach(GLuint program, GLenum kind, const char *const *texts, int count)
-{
-    char log[1024] = "";
-    GLint compiled = GL_FALSE;
-    GLuint shader = glCreateShader(kind);
-    glShaderSource(shader, count, texts, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    glGetShaderInfoLog(shader, sizeof log, NULL, log);
-    if (!compiled)
-        printf("  shader 0x%x: %s\n", kind, log);
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
-    return compiled;
-}
-
 static void write_text(enum cupola_pass_way way, enum cupola_pass_stage stage, char text[TEXT])
 {
     const struct cupola_pass_shader wish = {
@@ -65,20 +49,19 @@ static void write_text(enum cupola_pass_way way, enum cupola_pass_stage stage, c
 static GLuint program_of(enum cupola_pass_way way)
 {
     char text[TEXT];
-    GLint linked = GL_FALSE;
     GLuint program = glCreateProgram();
     write_text(way, CUPOLA_PASS_STAGE_VERTEX, text);
-    assert_true(attach(program, GL_VERTEX_SHADER,
-                       (const char *const[]){version(), extension(), text, host_vertex}, 4));
+    assert_true(context_attach(program, GL_VERTEX_SHADER,
+                               (const char *const[]){version(), extension(), text, host_vertex},
+                               4));
     if (way == CUPOLA_PASS_GEOMETRY) {
         write_text(way, CUPOLA_PASS_STAGE_GEOMETRY, text);
-        assert_true(attach(program, GL_GEOMETRY_SHADER, (const char *const[]){version(), text}, 2));
+        assert_true(
+            context_attach(program, GL_GEOMETRY_SHADER, (const char *const[]){version(), text}, 2));
     }
-    assert_true(
-        attach(program, GL_FRAGMENT_SHADER, (const char *const[]){version(), host_fragment}, 2));
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    assert_true(linked);
+    assert_true(context_attach(program, GL_FRAGMENT_SHADER,
+                               (const char *const[]){version(), host_fragment}, 2));
+    context_link(program);
     glUniformBlockBinding(program, glGetUniformBlockIndex(program, "cupola_pass"), BINDING);
     return program;
 }
@@ -185,7 +168,7 @@ static void extensions_of_the_host_stand_before_the_text(void **state)
         GLuint program = glCreateProgram();
         const char *const texts[] = {version(), behind ? text : extension(),
                                      behind ? extension() : text, host_vertex};
-        bool compiled = attach(program, GL_VERTEX_SHADER, texts, 4);
+        bool compiled = context_attach(program, GL_VERTEX_SHADER, texts, 4);
         assert_true(compiled || behind);
         if (behind)
             printf("  behind the text they are %s here\n", compiled ? "allowed" : "refused");

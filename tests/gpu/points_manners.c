@@ -11,6 +11,7 @@
 #include "host_objects.h"
 #include "interposed.h"
 #include "live_objects.h"
+#include "message.h"
 #include "table_bits.h"
 
 enum { SIZE = 48, WIDER = 56, NAMES = 512, CALLS = 3 };
@@ -132,15 +133,6 @@ static void hostile_hosts_keep_their_state_and_get_the_same_table(void **state)
     check_at_least(tried, context_is_es() ? 24 : 34);
     free(first);
     free(second);
-}
-
-static void check_refused(int status, int expected, const struct cupola_error *error,
-                          const char *word)
-{
-    assert_int_equal(status, expected);
-    assert_int_equal(error->status, expected);
-    if (!strstr(error->message, word))
-        fail_msg("'%s' does not say '%s'", error->message, word);
 }
 
 static void what_cannot_be_is_refused_and_changes_nothing(void **state)

@@ -349,17 +349,9 @@ static void program_that_the_host_has_deleted_is_no_error(void **state)
 {
     const struct cupola_target target = {.framebuffer = good_framebuffer};
     GLint in_use = -1;
-    const GLuint program = glCreateProgram();
-    const GLuint shaders[2] = {
-        context_compile(GL_VERTEX_SHADER, "void main() { gl_Position = vec4(0.0); }\n"),
-        context_compile(GL_FRAGMENT_SHADER, "void main() {}\n"),
-    };
+    const GLuint program =
+        context_program("void main() { gl_Position = vec4(0.0); }\n", "void main() {}\n");
     (void)state;
-    for (int i = 0; i < 2; i++) {
-        glAttachShader(program, shaders[i]);
-        glDeleteShader(shaders[i]);
-    }
-    glLinkProgram(program);
     glUseProgram(program);
     glDeleteProgram(program);
     assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, &target, NULL), CUPOLA_OK);

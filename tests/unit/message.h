@@ -30,4 +30,14 @@ static inline void check_message(const struct cupola_error *error, double value)
     fail_msg("the message must name %g and what is allowed, but is: %s", value, error->message);
 }
 
+/* A call that answers so, with a message that says a word. */
+static inline void check_refused(int status, int expected, const struct cupola_error *error,
+                                 const char *word)
+{
+    assert_int_equal(status, expected);
+    assert_int_equal(error->status, expected);
+    if (!strstr(error->message, word))
+        fail_msg("'%s' does not say '%s'", error->message, word);
+}
+
 #endif
