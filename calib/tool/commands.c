@@ -184,6 +184,8 @@ static void show(struct tool *tool, enum command command)
         tool->text_on_dome = !tool->text_on_dome;
     else if (command == COMMAND_PREVIEW)
         tool->preview = (enum preview)((tool->preview + 1) % PREVIEW_COUNT);
+    else if (command == COMMAND_FULLSCREEN)
+        tool->wants_fullscreen = !tool->wants_fullscreen;
     else
         tool->wants_picture = true;
     if (command == COMMAND_BEFORE)
@@ -241,6 +243,7 @@ static void run(struct tool *tool, const struct key_binding *binding)
     case COMMAND_LABELS:
     case COMMAND_TEXT:
     case COMMAND_PREVIEW:
+    case COMMAND_FULLSCREEN:
     case COMMAND_PICTURE:
         show(tool, binding->command);
         break;

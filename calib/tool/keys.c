@@ -56,6 +56,7 @@ static const struct key_binding bindings[] = {
     {GLFW_KEY_N, 0, COMMAND_LABELS, 0, "numbers on the dome"},
     {GLFW_KEY_W, 0, COMMAND_TEXT, 0, "words on the dome or plain"},
     {GLFW_KEY_P, 0, COMMAND_PREVIEW, 0, "simulated theatre: eye, outside, none"},
+    {GLFW_KEY_F11, 0, COMMAND_FULLSCREEN, 0, "whole monitor or a window"},
     {GLFW_KEY_F12, 0, COMMAND_PICTURE, 0, "picture of the window as a file"},
     {GLFW_KEY_ESCAPE, 0, COMMAND_QUIT, 0, "quit"},
 };

@@ -57,7 +57,11 @@ static double to_deg(double angle_rad)
 
 static double to_rad(double angle_deg)
 {
-    return (double)(angle_deg * (3.14159265358979323846264338327950288L / 180));
+    char text[40];
+
+    /* As if it had been typed: what is saved reads 12.3, not 12.300000000000001. */
+    snprintf(text, sizeof text, "%.15g", angle_deg);
+    return angle_rad(text);
 }
 
 const char *parameter_name(int parameter)

@@ -88,8 +88,9 @@ struct tool {
     char notice[MESSAGE_SIZE];  /* what happened: "saved lobby.cfg" */
     bool unsaved;
     bool ends;
-    bool wants_picture; /* of what the window shows; whoever writes it makes it false again */
-    double time_s;      /* now, by any clock that goes forward; set before keys and mouse */
+    bool wants_fullscreen; /* F11: the other way; whoever does it makes it false again */
+    bool wants_picture;    /* of what the window shows; whoever writes it makes it false again */
+    double time_s;         /* now, by any clock that goes forward; set before keys and mouse */
 
     char *rig_path;   /* to save to */
     char *marks_path; /* likewise; NULL without marks */

@@ -71,12 +71,13 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
     window->tool->time_s = glfwGetTime();
     /* Locks are no modifiers. */
     modifiers &= GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
-    if (key == GLFW_KEY_F11 && action == GLFW_PRESS)
-        toggle_fullscreen(window);
-    else if (action == GLFW_REPEAT)
+    if (action == GLFW_REPEAT)
         tool_key_repeat(window->tool, key, modifiers);
     else
         tool_key(window->tool, key, modifiers);
+    if (window->tool->wants_fullscreen)
+        toggle_fullscreen(window);
+    window->tool->wants_fullscreen = false;
 }
 
 static void on_cursor(GLFWwindow *handle, double x, double y)
@@ -218,6 +219,9 @@ static bool open_window(struct window *window, const struct window_wishes *wishe
     glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(wishes->swap_interval);
     glfwGetFramebufferSize(window->handle, &window->width, &window->height);
+    /* What fills the projector's monitor has its size. */
+    if (fills)
+        tool_resize(window->tool, window->width, window->height);
     listen(window);
     return true;
 }
