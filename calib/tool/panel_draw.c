@@ -8,6 +8,8 @@
 
 static const double RADIANS = 3.14159265358979323846 / 180;
 
+enum { GAP = 6 /* between columns on the dome, units of the letters */ };
+
 static const struct {
     unsigned char ink[4];
     float light[3];    /* the same on the dome */
@@ -32,7 +34,7 @@ static double measure_columns(const struct panel *panel, double widths[PANEL_COL
     for (int i = 0; i < panel->columns; i++) {
         dome_text_size(panel->text[i], &widths[i], &up);
         *height = fmax(*height, up);
-        sum += widths[i];
+        sum += widths[i] + (i > 0 ? GAP : 0);
     }
     return sum;
 }
@@ -59,7 +61,7 @@ static void draw_on_dome(struct dome_text *text, const struct tool *tool,
         label.corner[0] = x;
         label.corner[1] = height * (1 - looks[place].hangs) - own;
         dome_text_draw(text, rig, tool->output, points, &label);
-        x += widths[i];
+        x += widths[i] + GAP;
     }
 }
 
@@ -94,7 +96,7 @@ static void draw(struct overlay *overlay, const struct tool *tool, enum panel_pl
                  struct overlay_place place)
 {
     double widths[PANEL_COLUMNS], most = 0, sum = 0, up;
-    const double footer = what == PANEL_HELP ? 60 : 0; /* messages stand there */
+    const double footer = what == PANEL_HELP ? 90 : 0; /* messages stand there */
     struct panel panel;
 
     panel_write(tool, what, place.width / (place.width >= 900 ? 16 : 8) - 2, &panel);

@@ -188,8 +188,9 @@ static void label_wedges(struct list *list)
     for (int round = 0; round < 360; round += 90)
         for (int ring = 1; ring <= 3; ring++)
             label_star(list, ring * spacing_deg, round);
-    put(list, round_middle(15.5, 270, v), (struct side){0, 0}, white,
-        "cycles per degree at the rings");
+    /* Under the numbers of the one in the middle. */
+    put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "cycles per degree");
+    list->labels->list[list->labels->count - 1].corner[1] = -9 * RADIANS / list->unit_rad - 19;
 }
 
 static void label_steps(struct list *list, double up_deg, int first, int step)
