@@ -28,14 +28,14 @@ static void without_a_context_nothing_is_made(void **state)
     (void)state;
     assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
     assert_int_equal(cupola_plan_create(dome, NULL, &plan, NULL), CUPOLA_OK);
-    check_refused(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_CONTEXT, &error,
-                  "no GL context");
-    check_refused(cupola_theatre_create(dome, &theatre, &error), CUPOLA_ERROR_CONTEXT, &error,
-                  "no GL context");
-    check_refused(cupola_points_create(dome, 0, &points, &error), CUPOLA_ERROR_CONTEXT, &error,
-                  "no GL context");
-    check_refused(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT, &error,
-                  "no GL context");
+    check_refused_saying(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_CONTEXT, &error,
+                         "no GL context");
+    check_refused_saying(cupola_theatre_create(dome, &theatre, &error), CUPOLA_ERROR_CONTEXT,
+                         &error, "no GL context");
+    check_refused_saying(cupola_points_create(dome, 0, &points, &error), CUPOLA_ERROR_CONTEXT,
+                         &error, "no GL context");
+    check_refused_saying(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT, &error,
+                         "no GL context");
     assert_int_equal(cupola_gl_create(plan, NULL, &gl, NULL), CUPOLA_ERROR_CONTEXT);
     assert_null(gl);
     assert_null(theatre);
@@ -169,16 +169,16 @@ static void without_a_current_context_calls_are_refused_and_memory_is_freed(void
     assert_int_equal(cupola_gl_view_begin(open.gl, 0, NULL, NULL), CUPOLA_OK);
     assert_true(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
     assert_int_equal(cupola_gl_set_eye(fixture.gl, eye_m, &error), CUPOLA_OK); /* needs none */
-    check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT, &error,
-                  "no GL context");
+    check_refused_saying(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_CONTEXT,
+                         &error, "no GL context");
     assert_int_equal(cupola_gl_view_end(open.gl, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_gl_warp(fixture.gl, 0, NULL, NULL, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_gl_capture(NULL, 1, 1, pixel, &error), CUPOLA_ERROR_CONTEXT);
     assert_int_equal(cupola_theatre_draw(theatre, &points, &spectator, SIZE, SIZE, NULL, &error),
                      CUPOLA_ERROR_CONTEXT);
-    check_refused(cupola_points_set_dome(alone, fixture.dome, 0, &error), CUPOLA_ERROR_CONTEXT,
-                  &error, "no GL context");
+    check_refused_saying(cupola_points_set_dome(alone, fixture.dome, 0, &error),
+                         CUPOLA_ERROR_CONTEXT, &error, "no GL context");
     fixture_release(&open);
     fixture_release(&fixture);
     cupola_points_destroy(&alone);

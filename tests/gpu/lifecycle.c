@@ -48,32 +48,33 @@ static void views_come_after_frame_begin_and_one_at_a_time(void **state)
     struct cupola_error error = {CUPOLA_OK, ""};
     unsigned int points = 0;
     (void)state;
-    check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER, &error,
-                  "before frame_begin");
-    check_refused(cupola_gl_view_end(fixture.gl, &error), CUPOLA_ERROR_ORDER, &error, "outside");
+    check_refused_saying(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER,
+                         &error, "before frame_begin");
+    check_refused_saying(cupola_gl_view_end(fixture.gl, &error), CUPOLA_ERROR_ORDER, &error,
+                         "outside");
     int views = cupola_gl_frame_begin(fixture.gl, NULL, NULL);
     check_at_least(views, 2);
     assert_int_equal(cupola_gl_view_begin(fixture.gl, views, NULL, &error), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_gl_view_begin(fixture.gl, -1, NULL, &error), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_gl_view_begin(fixture.gl, 1, NULL, NULL), CUPOLA_OK);
-    check_refused(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER, &error,
-                  "inside");
-    check_refused(cupola_gl_frame_begin(fixture.gl, NULL, &error), CUPOLA_ERROR_ORDER, &error,
-                  "inside");
-    check_refused(cupola_gl_warp(fixture.gl, 0, NULL, NULL, &error), CUPOLA_ERROR_ORDER, &error,
-                  "open");
-    check_refused(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error,
-                  "open");
-    check_refused(cupola_gl_density(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER, &error,
-                  "open");
+    check_refused_saying(cupola_gl_view_begin(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ORDER,
+                         &error, "inside");
+    check_refused_saying(cupola_gl_frame_begin(fixture.gl, NULL, &error), CUPOLA_ERROR_ORDER,
+                         &error, "inside");
+    check_refused_saying(cupola_gl_warp(fixture.gl, 0, NULL, NULL, &error), CUPOLA_ERROR_ORDER,
+                         &error, "open");
+    check_refused_saying(cupola_gl_points(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER,
+                         &error, "open");
+    check_refused_saying(cupola_gl_density(fixture.gl, 0, &points, &error), CUPOLA_ERROR_ORDER,
+                         &error, "open");
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_OK);
     assert_int_equal(cupola_gl_view_end(fixture.gl, NULL), CUPOLA_ERROR_ORDER);
-    check_refused(cupola_gl_warp(fixture.gl, 1, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "output is 1");
+    check_refused_saying(cupola_gl_warp(fixture.gl, 1, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT,
+                         &error, "output is 1");
     assert_int_equal(cupola_gl_points(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_gl_density(fixture.gl, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT);
-    check_refused(cupola_gl_density(fixture.gl, 1, &points, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "output is 1");
+    check_refused_saying(cupola_gl_density(fixture.gl, 1, &points, &error), CUPOLA_ERROR_ARGUMENT,
+                         &error, "output is 1");
     release(&fixture);
 }
 
@@ -87,8 +88,8 @@ static void near_and_far_must_be_distances(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const struct cupola_frame frame = {
             .depth = {.near_distance = bad[i][0], .far_distance = bad[i][1]}};
-        check_refused(cupola_gl_frame_begin(fixture.gl, &frame, &error), CUPOLA_ERROR_ARGUMENT,
-                      &error, "near");
+        check_refused_saying(cupola_gl_frame_begin(fixture.gl, &frame, &error),
+                             CUPOLA_ERROR_ARGUMENT, &error, "near");
     }
     assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, NULL, NULL), CUPOLA_ERROR_ORDER);
     check_at_least(cupola_gl_frame_begin(fixture.gl, NULL, NULL), 1);
@@ -109,10 +110,10 @@ static void colours_must_be_finite_and_may_be_negative(void **state)
         const char *names[2][3] = {
             {"border[1] is ", "border[2] is ", "border[3] is "},
             {"clear_color[1] is ", "clear_color[2] is ", "clear_color[3] is "}};
-        check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT,
-                      &error, names[0][i]);
-        check_refused(cupola_gl_frame_begin(fixture.gl, &frame, &error), CUPOLA_ERROR_ARGUMENT,
-                      &error, names[1][i]);
+        check_refused_saying(cupola_gl_create(fixture.plan, &params, &gl, &error),
+                             CUPOLA_ERROR_ARGUMENT, &error, names[0][i]);
+        check_refused_saying(cupola_gl_frame_begin(fixture.gl, &frame, &error),
+                             CUPOLA_ERROR_ARGUMENT, &error, names[1][i]);
     }
     assert_null(gl);
     assert_int_equal(cupola_gl_view_begin(fixture.gl, 0, NULL, NULL), CUPOLA_ERROR_ORDER);
@@ -173,7 +174,8 @@ static void atlas_beyond_the_largest_texture_is_refused(void **state)
     assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
     assert_int_equal(cupola_plan_create(dome, &params, &plan, NULL), CUPOLA_OK);
     int objects = live_objects(NAMES);
-    check_refused(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_ARGUMENT, &error, number);
+    check_refused_saying(cupola_gl_create(plan, NULL, &gl, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                         number);
     assert_int_equal(cupola_gl_create(plan, NULL, &gl, NULL), CUPOLA_ERROR_ARGUMENT);
     assert_null(gl);
     assert_int_equal(live_objects(NAMES), objects);
@@ -190,11 +192,11 @@ static void wrong_parameters_make_nothing(void **state)
     cupola_gl *gl = NULL;
     int objects = live_objects(NAMES);
     (void)state;
-    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT,
-                  &error, "format is 7");
+    check_refused_saying(cupola_gl_create(fixture.plan, &params, &gl, &error),
+                         CUPOLA_ERROR_ARGUMENT, &error, "format is 7");
     params = (struct cupola_gl_params){.table = (enum cupola_table)9};
-    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_ARGUMENT,
-                  &error, "9");
+    check_refused_saying(cupola_gl_create(fixture.plan, &params, &gl, &error),
+                         CUPOLA_ERROR_ARGUMENT, &error, "9");
     assert_int_equal(cupola_gl_create(NULL, NULL, &gl, &error), CUPOLA_ERROR_ARGUMENT);
     assert_int_equal(cupola_gl_create(fixture.plan, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT);
     assert_null(gl);
@@ -212,11 +214,11 @@ static void formats_that_the_gl_lacks_are_refused_by_the_extension(void **state)
         skip();
     struct fixture fixture = small_fixture(CUPOLA_TABLE_POINTS);
     int objects = live_objects(NAMES);
-    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_GL, &error,
-                  "GL_EXT_color_buffer_half_float");
+    check_refused_saying(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_GL,
+                         &error, "GL_EXT_color_buffer_half_float");
     params.format = CUPOLA_FORMAT_RGBA32F;
-    check_refused(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_GL, &error,
-                  "GL_EXT_color_buffer_float");
+    check_refused_saying(cupola_gl_create(fixture.plan, &params, &gl, &error), CUPOLA_ERROR_GL,
+                         &error, "GL_EXT_color_buffer_float");
     assert_null(gl);
     assert_int_equal(live_objects(NAMES), objects);
     release(&fixture);
@@ -230,14 +232,15 @@ static void null_instead_of_a_handle_is_refused(void **state)
     struct cupola_error error = {CUPOLA_OK, ""};
     unsigned int texture = 7;
     (void)state;
-    check_refused(cupola_gl_frame_begin(NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
-    check_refused(cupola_gl_view_begin(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "NULL");
-    check_refused(cupola_gl_view_end(NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
-    check_refused(cupola_gl_warp(NULL, 0, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "NULL");
-    check_refused(cupola_gl_points(NULL, 0, &texture, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "NULL");
+    check_refused_saying(cupola_gl_frame_begin(NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                         "NULL");
+    check_refused_saying(cupola_gl_view_begin(NULL, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                         "NULL");
+    check_refused_saying(cupola_gl_view_end(NULL, &error), CUPOLA_ERROR_ARGUMENT, &error, "NULL");
+    check_refused_saying(cupola_gl_warp(NULL, 0, NULL, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                         "NULL");
+    check_refused_saying(cupola_gl_points(NULL, 0, &texture, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                         "NULL");
     assert_int_equal(texture, 7);
     assert_int_equal(cupola_gl_atlas(NULL), 0);
     assert_int_equal(cupola_table_find(NULL), CUPOLA_ERROR_ARGUMENT);

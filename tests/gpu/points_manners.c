@@ -146,28 +146,28 @@ static void what_cannot_be_is_refused_and_changes_nothing(void **state)
     (void)state;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     for (int output = -1; output < 2; output += 2) {
-        check_refused(cupola_points_create(dome, output, &none, &error), CUPOLA_ERROR_ARGUMENT,
-                      &error, "allowed: 0 to 0");
-        check_refused(cupola_points_set_dome(points, other, output, &error), CUPOLA_ERROR_ARGUMENT,
-                      &error, "allowed: 0 to 0");
+        check_refused_saying(cupola_points_create(dome, output, &none, &error),
+                             CUPOLA_ERROR_ARGUMENT, &error, "allowed: 0 to 0");
+        check_refused_saying(cupola_points_set_dome(points, other, output, &error),
+                             CUPOLA_ERROR_ARGUMENT, &error, "allowed: 0 to 0");
     }
-    check_refused(cupola_points_create(NULL, 0, &none, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "dome is NULL");
-    check_refused(cupola_points_create(dome, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "points is NULL");
-    check_refused(cupola_points_set_dome(points, NULL, 0, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "dome is NULL");
-    check_refused(cupola_points_set_dome(NULL, dome, 0, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                  "points is NULL");
+    check_refused_saying(cupola_points_create(NULL, 0, &none, &error), CUPOLA_ERROR_ARGUMENT,
+                         &error, "dome is NULL");
+    check_refused_saying(cupola_points_create(dome, 0, NULL, &error), CUPOLA_ERROR_ARGUMENT, &error,
+                         "points is NULL");
+    check_refused_saying(cupola_points_set_dome(points, NULL, 0, &error), CUPOLA_ERROR_ARGUMENT,
+                         &error, "dome is NULL");
+    check_refused_saying(cupola_points_set_dome(NULL, dome, 0, &error), CUPOLA_ERROR_ARGUMENT,
+                         &error, "points is NULL");
     assert_int_equal(cupola_points_set_dome(points, NULL, 0, NULL), CUPOLA_ERROR_ARGUMENT);
     if (largest < 32768) {
         struct cupola_rig rig = *cupola_dome_rig(dome);
         rig.outputs[0].width_px = 32768;
         cupola_dome *wide = dome_of(rig);
-        check_refused(cupola_points_create(wide, 0, &none, &error), CUPOLA_ERROR_ARGUMENT, &error,
-                      "32768");
-        check_refused(cupola_points_set_dome(points, wide, 0, &error), CUPOLA_ERROR_ARGUMENT,
-                      &error, "allowed by this GL");
+        check_refused_saying(cupola_points_create(wide, 0, &none, &error), CUPOLA_ERROR_ARGUMENT,
+                             &error, "32768");
+        check_refused_saying(cupola_points_set_dome(points, wide, 0, &error), CUPOLA_ERROR_ARGUMENT,
+                             &error, "allowed by this GL");
         cupola_dome_destroy(&wide);
     }
     assert_null(none);
@@ -204,7 +204,7 @@ static void a_gl_that_fails_leaves_the_table_as_it_was(void **state)
             assert_int_equal(status, CUPOLA_OK);
             break;
         }
-        check_refused(status, expected, &error, "");
+        check_refused_saying(status, expected, &error, "");
         assert_int_equal(cupola_points_texture(points), texture);
         assert_int_equal(live_objects(NAMES), objects);
         check_table(points, before, SIZE, error.message);
@@ -233,16 +233,16 @@ static void a_context_that_is_lost_is_told_and_left_alone(void **state)
         interposed.lost = n == 0;
         int status = cupola_points_set_dome(points, other, 0, &error);
         if (status != CUPOLA_OK)
-            check_refused(status, CUPOLA_ERROR_LOST, &error, "lost");
+            check_refused_saying(status, CUPOLA_ERROR_LOST, &error, "lost");
         if (n == 0)
-            check_refused(cupola_points_create(dome, 0, &none, &error), CUPOLA_ERROR_LOST, &error,
-                          "lost");
+            check_refused_saying(cupola_points_create(dome, 0, &none, &error), CUPOLA_ERROR_LOST,
+                                 &error, "lost");
         interposed.lost = true;
-        check_refused(cupola_points_set_dome(points, dome, 0, &error), CUPOLA_ERROR_LOST, &error,
-                      "lost");
+        check_refused_saying(cupola_points_set_dome(points, dome, 0, &error), CUPOLA_ERROR_LOST,
+                             &error, "lost");
         int called = interposed.called;
-        check_refused(cupola_points_set_dome(points, dome, 0, &error), CUPOLA_ERROR_LOST, &error,
-                      "lost");
+        check_refused_saying(cupola_points_set_dome(points, dome, 0, &error), CUPOLA_ERROR_LOST,
+                             &error, "lost");
         cupola_points_destroy(&points);
         assert_null(points);
         assert_int_equal(interposed.called, called);

@@ -31,8 +31,8 @@ static inline void check_message(const struct cupola_error *error, double value)
 }
 
 /* A call that answers so, with a message that says a word. */
-static inline void check_refused(int status, int expected, const struct cupola_error *error,
-                                 const char *word)
+static inline void check_refused_saying(int status, int expected, const struct cupola_error *error,
+                                        const char *word)
 {
     assert_int_equal(status, expected);
     assert_int_equal(error->status, expected);
