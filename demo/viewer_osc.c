@@ -17,8 +17,9 @@
 
 enum {
     HOST_SIZE = 256,
-    QUEUE_BYTES = 64 * 1024, /* that the kernel keeps; some 170 small packets */
-    POLL_PACKETS = 1024,     /* at most, and so many bytes, in one poll */
+    QUEUE_BYTES = 208 * 1024, /* that the kernel keeps, all that Linux grants without more ado: some
+                               * 500 small packets */
+    POLL_PACKETS = 1024,      /* at most, and so many bytes, in one poll */
     POLL_BYTES = 1024 * 1024,
 };
 
