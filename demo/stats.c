@@ -174,9 +174,9 @@ static void write_reports(FILE *file, const struct viewer_osc_counts *counts)
 {
     fprintf(file,
             "  \"viewer_reports\": {\"packets\": %ld, \"taken\": %ld, \"refused\": %ld, \"late\": "
-            "%ld, \"malformed\": %ld, \"others\": %ld},\n",
+            "%ld, \"malformed\": %ld, \"others\": %ld, \"lost\": %ld},\n",
             counts->packets, counts->taken, counts->refused, counts->late, counts->malformed,
-            counts->others);
+            counts->others, counts->lost);
 }
 
 static void write_texels(FILE *file, const struct cupola_plan_report *report, bool masked)

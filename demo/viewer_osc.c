@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "viewer_packet.h"
+#include "viewer_sieve.h"
 
 enum {
     HOST_SIZE = 256,
@@ -21,6 +22,7 @@ enum {
                                * 500 small packets */
     POLL_PACKETS = 1024,      /* at most, and so many bytes, in one poll */
     POLL_BYTES = 1024 * 1024,
+    FLOOD_PACKETS = 100, /* of no use, in one poll: somebody floods the port */
 };
 
 struct viewer_osc {
@@ -28,6 +30,9 @@ struct viewer_osc {
     char address[HOST_SIZE + 16];
     struct viewer_osc_counts counts;
     uint64_t newest_tag; /* 0: none yet */
+    int useless;         /* packets of the poll under way */
+    bool has_sieve;
+    double sieve_end_s;
     unsigned char packet[65536];
 };
 
@@ -120,6 +125,7 @@ static bool listen_on(struct viewer_osc *osc, const struct addrinfo *found)
         return false;
     setsockopt(osc->socket, SOL_SOCKET, SO_RCVBUF, &queue, sizeof queue);
     setsockopt(osc->socket, SOL_SOCKET, SO_TIMESTAMPNS, &yes, sizeof yes);
+    setsockopt(osc->socket, SOL_SOCKET, SO_RXQ_OVFL, &yes, sizeof yes);
     return bind(osc->socket, found->ai_addr, found->ai_addrlen) == 0;
 }
 
@@ -196,11 +202,14 @@ static void take_packet(struct viewer_osc *osc, size_t size, double time_s,
     osc->counts.packets++;
     if (!viewer_packet_read(osc->packet, size, &packet)) {
         osc->counts.malformed++;
+        osc->useless++;
         return;
     }
     osc->counts.others += packet.others;
-    if (packet.reports == 0)
+    if (packet.reports == 0) {
+        osc->useless++;
         return;
+    }
     if (is_late(osc, packet.time_tag))
         osc->counts.late++;
     else if (cupola_viewer_report(viewer, time_s, packet.position_m) == 1)
@@ -210,37 +219,69 @@ static void take_packet(struct viewer_osc *osc, size_t size, double time_s,
 }
 
 /* When the kernel got it, by our clock; `offset_s` is that clock less the kernel's. */
-static double arrival_s(struct msghdr *header, double offset_s)
+static double read_control(struct viewer_osc *osc, struct msghdr *header, double offset_s)
 {
     double time_s = viewer_osc_now_s(); /* the future, where the kernel's clock was set, is now */
 
     for (struct cmsghdr *part = CMSG_FIRSTHDR(header); part; part = CMSG_NXTHDR(header, part)) {
         struct timespec stamp;
-        if (part->cmsg_level != SOL_SOCKET || part->cmsg_type != SCM_TIMESTAMPNS)
+        uint32_t lost;
+        if (part->cmsg_level != SOL_SOCKET)
             continue;
-        memcpy(&stamp, CMSG_DATA(part), sizeof stamp);
-        if (seconds(&stamp) + offset_s < time_s)
-            time_s = seconds(&stamp) + offset_s;
+        if (part->cmsg_type == SCM_TIMESTAMPNS) {
+            memcpy(&stamp, CMSG_DATA(part), sizeof stamp);
+            if (seconds(&stamp) + offset_s < time_s)
+                time_s = seconds(&stamp) + offset_s;
+        } else if (part->cmsg_type == SO_RXQ_OVFL) {
+            memcpy(&lost, CMSG_DATA(part), sizeof lost);
+            osc->counts.lost = (long)lost;
+        }
     }
     return time_s;
 }
 
+/* False where nothing is left, or a signal came: the next frame goes on. */
+static bool receive(struct viewer_osc *osc, double offset_s, size_t *size, double *time_s)
+{
+    _Alignas(struct cmsghdr) char
+        control[CMSG_SPACE(sizeof(struct timespec)) + CMSG_SPACE(sizeof(uint32_t))];
+    struct iovec room = {osc->packet, sizeof osc->packet};
+    struct msghdr header = {.msg_iov = &room,
+                            .msg_iovlen = 1,
+                            .msg_control = control,
+                            .msg_controllen = sizeof control};
+    ssize_t got = recvmsg(osc->socket, &header, MSG_DONTWAIT);
+
+    if (got < 0)
+        return false;
+    *size = (size_t)got;
+    *time_s = read_control(osc, &header, offset_s);
+    return true;
+}
+
+/* After a second without it a flood shows itself again, or is over. */
+static void set_sieve(struct viewer_osc *osc, double now_s)
+{
+    if (osc->useless > FLOOD_PACKETS) {
+        osc->has_sieve = osc->has_sieve || viewer_sieve_put(osc->socket);
+        osc->sieve_end_s = now_s + 1;
+    } else if (osc->has_sieve && now_s > osc->sieve_end_s) {
+        viewer_sieve_remove(osc->socket);
+        osc->has_sieve = false;
+    }
+}
+
 void viewer_osc_poll(struct viewer_osc *osc, struct cupola_viewer *viewer)
 {
-    double offset_s = viewer_osc_now_s() - now_s(CLOCK_REALTIME);
-    size_t bytes = 0;
+    double mine_s = viewer_osc_now_s(), offset_s = mine_s - now_s(CLOCK_REALTIME), time_s;
+    size_t bytes = 0, size;
 
+    osc->useless = 0;
     for (int i = 0; i < POLL_PACKETS && bytes < POLL_BYTES; i++) {
-        _Alignas(struct cmsghdr) char control[CMSG_SPACE(sizeof(struct timespec))];
-        struct iovec room = {osc->packet, sizeof osc->packet};
-        struct msghdr header = {.msg_iov = &room,
-                                .msg_iovlen = 1,
-                                .msg_control = control,
-                                .msg_controllen = sizeof control};
-        ssize_t size = recvmsg(osc->socket, &header, MSG_DONTWAIT);
-        if (size < 0)
-            break; /* nothing is left, or a signal came: the next frame goes on */
-        bytes += (size_t)size;
-        take_packet(osc, (size_t)size, arrival_s(&header, offset_s), viewer);
+        if (!receive(osc, offset_s, &size, &time_s))
+            break;
+        bytes += size;
+        take_packet(osc, size, time_s, viewer);
     }
+    set_sieve(osc, mine_s);
 }

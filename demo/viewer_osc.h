@@ -6,6 +6,8 @@
  * listen on every interface; what came is read between frames, until nothing is left or a bound is
  * reached, and the kernel says when it came, so that reports are as old as they are and not as old
  * as a frame. What comes faster than it is read fills the kernel's queue of fixed size and is lost.
+ * Where that is a flood of what nobody asked for, the kernel is told to keep it out, for a second
+ * at a time, and reports get through.
  *
  * The clock is CLOCK_MONOTONIC. Time tags of bundles are by the sender's clock, which need not be
  * ours: a report counts from its arrival, at once, also one that is meant for the future. Tags only
@@ -29,6 +31,8 @@ struct viewer_osc_counts {
     long late;      /* overtaken packets */
     long malformed; /* packets that are no OSC */
     long others;    /* messages to other paths than /viewer, or with other arguments */
+    long lost; /* packets that the kernel dropped, up to the last that came: its queue was full, or
+                * they were kept out */
 };
 
 /* Whether a text is [HOST:]PORT; else one line in the message. */

@@ -13,6 +13,7 @@
 #include "check.h"
 #include "osc_bytes.h"
 #include "viewer_feed.h"
+#include "viewer_sieve.h"
 
 struct line {
     struct viewer_osc *osc;
@@ -157,6 +158,48 @@ static void a_flood_is_bounded(void **state)
     closed(&line);
 }
 
+static void send_nonsense(const struct line *line, int count)
+{
+    begin();
+    add("nobody asked for this...", 24);
+    for (int i = 0; i < count; i++)
+        send_packet(line);
+}
+
+/* The first of it shows itself, and then the queue has room for reports. */
+static void a_flood_of_nonsense_is_kept_out(void **state)
+{
+    (void)state;
+    struct line line = opened();
+
+    if (!viewer_sieve_put(line.sender)) {
+        closed(&line);
+        skip(); /* this kernel has no sieve */
+    }
+    viewer_sieve_remove(line.sender);
+    for (int i = 0; i < 2; i++) { /* the control is the first of the two, when nobody knows yet */
+        send_nonsense(&line, 20000);
+        send_report(&line, 0.25f);
+        viewer_osc_poll(line.osc, &line.viewer);
+        assert_int_equal(viewer_osc_counts(line.osc)->taken, i);
+    }
+    check_at_most(viewer_osc_counts(line.osc)->malformed, 5000);
+    check_at_least(viewer_osc_counts(line.osc)->lost, 35000);
+    begin_bundle(1); /* bundles are let in, for they may hold reports */
+    add_number(REPORT_SIZE, 4);
+    add_report(0.26f);
+    send_packet(&line);
+    viewer_osc_poll(line.osc, &line.viewer);
+    assert_int_equal(viewer_osc_counts(line.osc)->taken, 2);
+    usleep(1100000);
+    viewer_osc_poll(line.osc, &line.viewer); /* which takes the sieve out again */
+    send_nonsense(&line, 1);
+    int malformed = (int)viewer_osc_counts(line.osc)->malformed;
+    viewer_osc_poll(line.osc, &line.viewer);
+    assert_int_equal(viewer_osc_counts(line.osc)->malformed, malformed + 1);
+    closed(&line);
+}
+
 /* What the kernel says of sockets that are bound to a port: the local addresses, in hexadecimal. */
 static int bound_addresses(int port, bool *loopback_only)
 {
@@ -259,6 +302,7 @@ int main(void)
         cmocka_unit_test(late_bundles_are_dropped_and_future_ones_count_at_once),
         cmocka_unit_test(what_makes_no_sense_is_counted_by_its_kind),
         cmocka_unit_test(a_flood_is_bounded),
+        cmocka_unit_test(a_flood_of_nonsense_is_kept_out),
         cmocka_unit_test(only_loopback_is_bound_unless_asked_otherwise),
         cmocka_unit_test(what_cannot_be_listened_on_is_said),
         cmocka_unit_test(a_feed_has_an_eye_once_something_came),
