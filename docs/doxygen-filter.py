@@ -94,7 +94,7 @@ class Function:
         """The text of a parameter that means the same everywhere, or None."""
         if name == "error":
             return ERROR
-        handle = re.search(r"\bcupola_(dome|plan|gl|theatre) (\*+)" + name + "$", type_text)
+        handle = re.search(r"\bcupola_(dome|plan|gl|points|theatre) (\*+)" + name + "$", type_text)
         if handle and handle.group(1) == name:
             twice = handle.group(2) == "**"
             if not twice or self.name.endswith("_destroy"):
