@@ -16,7 +16,7 @@ enum solve_free {
     SOLVE_LENS = 4,          /* the field of view, and of a polynomial its coefficients */
     SOLVE_POSITION = 8,      /* of the projector */
     SOLVE_AIM = 16,
-    SOLVE_RADIUS = 32, /* of the screen */
+    SOLVE_RADIUS = 32, /* of the screen; marks that are points tell it by their distances */
 };
 
 struct solve_request {
@@ -24,7 +24,10 @@ struct solve_request {
     int output;                     /* index of the projector */
     const struct marks *marks;      /* each with a pixel */
     int free;                       /* of enum solve_free; 0: position and aim */
+    bool flips;                     /* the picture may be mirrored otherwise than in the start */
 };
+
+enum { SOLVE_WARNINGS_MAX = 24, SOLVE_WARNING_SIZE = 240 };
 
 /* What became of one mark. */
 struct solve_mark {
@@ -49,6 +52,9 @@ struct solve_result {
     double worst_direction_sd_rad;
     struct solve_mark *marks; /* as many as there are marks */
     int rejected;             /* how many */
+    int warning_count;
+    char warnings[SOLVE_WARNINGS_MAX]
+                 [SOLVE_WARNING_SIZE]; /* what the marks tell badly, and so on */
 };
 
 /*
@@ -64,6 +70,9 @@ void solve_result_free(struct solve_result *result);
  * `message` that begins with `option`.
  */
 bool solve_free_parse(const char *option, const char *text, int *free, char *message);
+
+/* The names of such lists by index, and NULL beyond; what the index-th stands for is 1 << index. */
+const char *solve_free_name(int index);
 
 /* The command: cupola-calib solve ... Returns its exit status. */
 int solve_main(int argc, char **argv);

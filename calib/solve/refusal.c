@@ -1,0 +1,77 @@
+/* What can be said before anything is solved. */
+#include "refusal.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "option_values.h"
+#include "solve/arrangement.h"
+#include "solve/consensus.h"
+
+static bool refuse(char *message, const char *why)
+{
+    snprintf(message, MESSAGE_SIZE, "%s", why);
+    return false;
+}
+
+bool refusal_enough(int marks, int values, const char *which, char *message)
+{
+    int least = consensus_least(values);
+
+    if (marks >= least)
+        return true;
+    snprintf(message, MESSAGE_SIZE,
+             "%d mark%s%s cannot determine %d values: each gives two numbers, and some have to be "
+             "left over to see errors; allowed: %d at least",
+             marks, marks == 1 ? "" : "s", which, values, least);
+    return false;
+}
+
+/* Combinations that leave the picture as it is, wherever the marks are. */
+static bool check_combination(const struct solve_request *request, int free, char *message)
+{
+    const struct cupola_output *output = &request->start->outputs[request->output];
+    const double *position = output->position_m;
+    double off_m = hypot(hypot(position[0], position[1]), position[2]);
+    bool directions = request->marks->kind == MARKS_DIRECTIONS;
+
+    if (free & SOLVE_LENS && free & SOLVE_CIRCLE_RADIUS)
+        return refuse(message, "lens and circle-radius cannot both be free: a wider lens in a "
+                               "larger image circle shows the same; allowed: one of them");
+    if (free & SOLVE_RADIUS && free & SOLVE_POSITION && directions)
+        return refuse(message,
+                      "position and radius cannot both be free: marks given as directions fix the "
+                      "position only relative to the radius; allowed: one of them, or marks as "
+                      "points (x_m, y_m, z_m)");
+    if (free & SOLVE_RADIUS && directions && !(off_m > 1e-3 * request->start->screen.radius_m))
+        return refuse(message,
+                      "radius cannot be free: marks given as directions do not tell it to a "
+                      "projector at the centre; allowed: a projector aside of it, or marks as "
+                      "points (x_m, y_m, z_m)");
+    return true;
+}
+
+static bool check_marks(const struct marks *marks, char *message)
+{
+    for (int i = 0; i < marks->count; i++) {
+        if (marks->list[i].steered)
+            continue;
+        snprintf(message, MESSAGE_SIZE, "mark '%s' has no pixel; allowed: marks with x_px and y_px",
+                 marks->list[i].name);
+        return false;
+    }
+    return true;
+}
+
+bool refusal_check(const struct solve_request *request, int free, int count, char *message)
+{
+    struct arrangement arrangement;
+
+    if (!check_combination(request, free, message) || !check_marks(request->marks, message) ||
+        !refusal_enough(request->marks->count, count, "", message))
+        return false;
+    if (count <= 3)
+        return true;
+    arrangement_measure(request->marks, NULL, &arrangement);
+    return arrangement_suffices(&arrangement, message);
+}
