@@ -75,20 +75,19 @@ static void invert(struct certainty *certainty, const double *jacobian, int rows
 bool certainty_find(const struct model *model, const bool *rejected, struct certainty *certainty)
 {
     size_t all = (size_t)model->marks->count;
-    int *kept = malloc(all * sizeof *kept), count = 0;
+    int *kept = calloc(all, sizeof *kept), count = 0;
     double *jacobian = malloc(2 * all * (size_t)(model->count + 1) * sizeof *jacobian);
     double zero[MODEL_VALUES_MAX] = {0}, sum = 0;
-    bool found = kept && jacobian;
+    bool found;
 
     *certainty = (struct certainty){.count = model->count};
-    for (int i = 0; i < model->marks->count && found; i++) {
-        double r[2] = {0, 0};
-        if (rejected[i])
-            continue;
-        kept[count++] = i;
-        found = model_weighted(model, &model->base, i, r);
-        sum += r[0] * r[0] + r[1] * r[1];
+    for (int i = 0; i < model->marks->count && kept; i++) {
+        if (!rejected[i])
+            kept[count++] = i;
     }
+    found = kept && jacobian && model_residuals(model, &model->base, kept, count, true, jacobian);
+    for (int i = 0; i < 2 * count && found; i++)
+        sum += jacobian[i] * jacobian[i];
     if (found) {
         certainty->freedoms = 2 * count - model->count;
         certainty->noise_px = sqrt(sum / fmax(certainty->freedoms, 1));

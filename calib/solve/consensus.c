@@ -18,15 +18,13 @@ int consensus_least(int values)
     return (values + 3) / 2;
 }
 
-/* The lengths of residuals; impossible ones are as far as can be. */
+/* The lengths of residuals; impossible ones are as far as can be. `lengths` has twice the room. */
 static void measure(const struct model *model, const int *chosen, int count, double *lengths)
 {
-    for (int i = 0; i < count; i++) {
-        double r[2];
-        lengths[i] = model_residual(model, &model->base, chosen ? chosen[i] : i, r)
-                         ? hypot(r[0], r[1])
-                         : HUGE_VAL;
-    }
+    bool possible = model_residuals(model, &model->base, chosen, count, false, lengths);
+
+    for (int i = 0; i < count; i++)
+        lengths[i] = possible ? hypot(lengths[2 * i], lengths[2 * i + 1]) : HUGE_VAL;
 }
 
 static double most_of(const struct model *model, const int *chosen, int count, double *lengths)
@@ -79,7 +77,7 @@ static void take_pose(struct model *model, const struct pose *pose)
 bool consensus_find(struct model *model, double *error_px)
 {
     int chosen[SAMPLE], count = choose(model, chosen);
-    double lengths[SAMPLE], best_px = HUGE_VAL;
+    double lengths[2 * SAMPLE], best_px = HUGE_VAL;
     struct pose poses[SEARCH_POSES];
     int found = search_poses(model, chosen, count, poses);
     struct model best = *model;
@@ -110,8 +108,8 @@ struct settling {
     int all;
     int *kept;
     int kept_count;
-    double *lengths;
-    double *jacobian; /* of all marks */
+    double *residuals; /* of all marks */
+    double *jacobian;  /* of all marks */
     double inverse[MODEL_VALUES_MAX * MODEL_VALUES_MAX];
     double *weights;
     bool *rejected;
@@ -171,10 +169,9 @@ static void spread(const struct settling *settling, int mark, double g[3])
  */
 static double weight(const struct settling *settling, int mark)
 {
-    double g[3], r[2], sign = settling->rejected[mark] ? 1 : -1;
+    double g[3], sign = settling->rejected[mark] ? 1 : -1;
+    const double *r = settling->residuals + 2 * mark;
 
-    if (!model_weighted(settling->model, &settling->model->base, mark, r))
-        return HUGE_VAL;
     spread(settling, mark, g);
     double xx = 1 + sign * g[0], xy = sign * g[1], yy = 1 + sign * g[2];
     double determinant = xx * yy - xy * xy;
@@ -183,14 +180,17 @@ static double weight(const struct settling *settling, int mark)
     return (r[0] * r[0] * yy - 2 * r[0] * r[1] * xy + r[1] * r[1] * xx) / determinant;
 }
 
-static double squares(const struct settling *settling)
+static double squares(struct settling *settling)
 {
     double sum = 0;
+    bool possible = model_residuals(settling->model, &settling->model->base, NULL, settling->all,
+                                    true, settling->residuals);
 
-    for (int i = 0; i < settling->all; i++) {
-        double r[2];
-        if (!settling->rejected[i] && model_weighted(settling->model, &settling->model->base, i, r))
-            sum += r[0] * r[0] + r[1] * r[1];
+    for (int i = 0; i < 2 * settling->all; i++) {
+        if (!possible)
+            settling->residuals[i] = 1e6;
+        if (!settling->rejected[i / 2])
+            sum += settling->residuals[i] * settling->residuals[i];
     }
     return sum;
 }
@@ -238,15 +238,13 @@ static bool judge(struct settling *settling, bool may_return)
     for (int i = 0; i < settling->all; i++) {
         double now = excess(settling, i, sum);
         if (settling->rejected[i] && now <= 1 && may_return) {
-            settling->lengths[i] = -1;
+            settling->rejected[i] = false;
             changed = true;
         } else if (!settling->rejected[i] && now > worst_excess) {
             worst = i;
             worst_excess = now;
         }
     }
-    for (int i = 0; i < settling->all && changed; i++)
-        settling->rejected[i] = settling->rejected[i] && settling->lengths[i] != -1;
     if (worst >= 0 && settling->kept_count > least) {
         settling->rejected[worst] = true;
         changed = true;
@@ -262,9 +260,9 @@ static void begin(struct settling *settling, double error_px)
     double noise_px =
         error_px / sqrt(-2 * log(1 - share)) * sqrt(2.0 * all / fmax(2.0 * all - n, 1));
 
-    measure(settling->model, NULL, all, settling->lengths);
+    measure(settling->model, NULL, all, settling->residuals);
     for (int i = 0; i < all; i++)
-        settling->rejected[i] = !(settling->lengths[i] <= fmax(3 * noise_px, 1.01 * error_px));
+        settling->rejected[i] = !(settling->residuals[i] <= fmax(3 * noise_px, 1.01 * error_px));
     list_kept(settling);
 }
 
@@ -277,8 +275,7 @@ static bool settle(struct settling *settling, double error_px)
         if (!fit_marks(settling->model, settling->kept, settling->kept_count, 0, 100))
             return false;
         double zero[MODEL_VALUES_MAX] = {0};
-        int *every = settling->kept + settling->all;
-        model_jacobian(settling->model, zero, every, settling->all, settling->jacobian);
+        model_jacobian(settling->model, zero, NULL, settling->all, settling->jacobian);
         if (judge(settling, round < ROUNDS / 2) && round > 0)
             return true;
         list_kept(settling);
@@ -294,16 +291,14 @@ bool consensus_settle(struct model *model, double error_px, double *weights, boo
     bool settled = false;
 
     model->weights = weights;
-    settling.kept = malloc(2 * all * sizeof *settling.kept);
-    settling.lengths = malloc(all * sizeof *settling.lengths);
+    settling.kept = malloc(all * sizeof *settling.kept);
+    settling.residuals = malloc(2 * all * sizeof *settling.residuals);
     settling.jacobian = malloc(2 * all * (size_t)(model->count + 1) * sizeof *settling.jacobian);
-    if (settling.kept && settling.lengths && settling.jacobian) {
-        for (size_t i = 0; i < all; i++)
-            settling.kept[all + i] = (int)i;
+    if (settling.kept && settling.residuals && settling.jacobian) {
         settled = settle(&settling, error_px);
     }
     free(settling.kept);
-    free(settling.lengths);
+    free(settling.residuals);
     free(settling.jacobian);
     return settled;
 }

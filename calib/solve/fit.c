@@ -26,11 +26,13 @@ static void residuals(const struct fit *fit, int count, const double *x, double 
 {
     const double impossible_px = 1e6;
     struct model_base at;
+    bool possible;
 
     model_apply(fit->model, x, &at);
+    possible = model_residuals(fit->model, &at, fit->chosen, count, true, out);
     for (int i = 0; i < count; i++) {
         double *r = out + 2 * i, bend;
-        if (!model_weighted(fit->model, &at, fit->chosen[i], r))
+        if (!possible)
             r[0] = r[1] = impossible_px;
         double factor = fit->bound_px > 0 ? bounded(fit->bound_px, r, &bend) : 1;
         r[0] *= factor;
@@ -42,15 +44,16 @@ static void residuals(const struct fit *fit, int count, const double *x, double 
 static void bound_jacobian(const struct fit *fit, int count, const double *x, double *jacobian)
 {
     struct model_base at;
+    size_t rows = 2 * (size_t)count;
+    double *residual = jacobian + rows * (size_t)fit->model->count; /* its room for one more */
 
     model_apply(fit->model, x, &at);
+    if (!model_residuals(fit->model, &at, fit->chosen, count, true, residual))
+        return;
     for (int i = 0; i < count; i++) {
-        double r[2], bend;
-        if (!model_weighted(fit->model, &at, fit->chosen[i], r))
-            continue;
-        double factor = bounded(fit->bound_px, r, &bend);
+        double bend, *r = residual + 2 * i, factor = bounded(fit->bound_px, r, &bend);
         for (int k = 0; k < fit->model->count; k++) {
-            double *d = jacobian + 2 * count * k + 2 * i;
+            double *d = jacobian + rows * (size_t)k + 2 * i;
             double along = bend * (r[0] * d[0] + r[1] * d[1]);
             d[0] = factor * d[0] - along * r[0];
             d[1] = factor * d[1] - along * r[1];
@@ -89,7 +92,7 @@ bool fit_marks(struct model *model, const int *chosen, int count, double bound_p
         return true;
     if (2 * count < n)
         return false;
-    double *room = malloc(rows * (size_t)(n + 2) * sizeof *room);
+    double *room = malloc(rows * (size_t)(n + 3) * sizeof *room);
     if (!room)
         return false;
     for (int i = 0; i < n; i++)

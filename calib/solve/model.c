@@ -121,62 +121,62 @@ void model_point(const struct model *model, double radius_m, int mark, double po
         point_m[i] = scale * model->marks->list[mark].place[i];
 }
 
-bool model_residual(const struct model *model, const struct model_base *at, int mark,
-                    double residual_px[2])
+bool model_residuals(const struct model *model, const struct model_base *at, const int *chosen,
+                     int count, bool weighted, double *residuals_px)
 {
-    double point_m[3], pixel_px[2];
+    enum { BLOCK = 128 };
+    double points_m[3 * BLOCK], pixels_px[2 * BLOCK];
 
-    model_point(model, at->radius_m, mark, point_m);
-    if (cupola_output_pixel(&at->output, point_m, pixel_px, NULL) < 0)
-        return false;
-    for (int i = 0; i < 2; i++)
-        residual_px[i] = model->marks->list[mark].pixel_px[i] - pixel_px[i];
-    return isfinite(residual_px[0]) && isfinite(residual_px[1]);
-}
-
-bool model_weighted(const struct model *model, const struct model_base *at, int mark,
-                    double residual_px[2])
-{
-    double weight = model->weights ? model->weights[mark] : 1;
-    bool known = model_residual(model, at, mark, residual_px);
-
-    residual_px[0] *= weight;
-    residual_px[1] *= weight;
-    return known;
+    for (int from = 0; from < count; from += BLOCK) {
+        int size = count - from < BLOCK ? count - from : BLOCK;
+        for (int i = 0; i < size; i++)
+            model_point(model, at->radius_m, chosen ? chosen[from + i] : from + i,
+                        points_m + 3 * i);
+        if (cupola_output_pixels(&at->output, size, points_m, pixels_px, NULL) < 0)
+            return false;
+        for (int i = 0; i < 2 * size; i++) {
+            int mark = chosen ? chosen[from + i / 2] : from + i / 2;
+            double weight = weighted && model->weights ? model->weights[mark] : 1;
+            residuals_px[2 * from + i] =
+                weight * (model->marks->list[mark].pixel_px[i % 2] - pixels_px[i]);
+        }
+    }
+    return true;
 }
 
 /* Of one value; where one side is impossible (an opening at its limit), of the other alone. */
 static void derive(const struct model *model, const double *x, int value, const int *chosen,
-                   int count, double *column)
+                   int count, double *column, double *room)
 {
     const double step = 1e-6;
-    struct model_base side[3];
-    double moved[MODEL_VALUES_MAX];
+    double moved[MODEL_VALUES_MAX], width = 0;
+    double *side[2] = {room, column};
 
-    for (int s = 0; s < 3; s++) {
-        memcpy(moved, x, (size_t)model->count * sizeof *moved);
-        moved[value] += (s - 1) * step;
-        model_apply(model, moved, &side[s]);
+    memcpy(moved, x, (size_t)model->count * sizeof *moved);
+    for (int s = 0; s < 2; s++) {
+        struct model_base at;
+        moved[value] = x[value] + (s ? step : -step);
+        model_apply(model, moved, &at);
+        if (model_residuals(model, &at, chosen, count, true, side[s])) {
+            width += step;
+            continue;
+        }
+        model_apply(model, x, &at);
+        if (!model_residuals(model, &at, chosen, count, true, side[s]))
+            width = -HUGE_VAL;
     }
-    for (int i = 0; i < count; i++) {
-        double low[2], high[2];
-        bool down = model_weighted(model, &side[0], chosen[i], low);
-        bool up = model_weighted(model, &side[2], chosen[i], high);
-        if (!down)
-            model_weighted(model, &side[1], chosen[i], low);
-        else if (!up)
-            model_weighted(model, &side[1], chosen[i], high);
-        for (int c = 0; c < 2; c++)
-            column[2 * i + c] =
-                down || up ? (high[c] - low[c]) / (down && up ? 2 * step : step) : 0;
-    }
+    for (int i = 0; i < 2 * count; i++)
+        column[i] = width > 0 ? (side[1][i] - side[0][i]) / width : 0;
 }
 
 void model_jacobian(const struct model *model, const double *x, const int *chosen, int count,
                     double *jacobian)
 {
+    size_t rows = 2 * (size_t)count;
+
     for (int i = 0; i < model->count; i++)
-        derive(model, x, i, chosen, count, jacobian + 2 * count * i);
+        derive(model, x, i, chosen, count, jacobian + rows * (size_t)i,
+               jacobian + rows * (size_t)model->count);
 }
 
 const char *model_value_name(enum model_value value)

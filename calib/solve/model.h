@@ -58,17 +58,17 @@ void model_apply(const struct model *model, const double *x, struct model_base *
 /* The point of a mark, m. */
 void model_point(const struct model *model, double radius_m, int mark, double point_m[3]);
 
-/* The mark's pixel less the predicted one. False for an impossible output. */
-bool model_residual(const struct model *model, const struct model_base *at, int mark,
-                    double residual_px[2]);
-
-/* The same times the mark's weight. */
-bool model_weighted(const struct model *model, const struct model_base *at, int mark,
-                    double residual_px[2]);
+/*
+ * The pixels of some marks less the predicted ones, times their weights if so wished; without
+ * `chosen` of the first. False for an impossible output.
+ */
+bool model_residuals(const struct model *model, const struct model_base *at, const int *chosen,
+                     int count, bool weighted, double *residuals_px);
 
 /*
  * Derivatives of the weighted residuals of some marks by the values, at x: jacobian[rows * value + row],
- * two rows a mark; by differences on both sides.
+ * two rows a mark; by differences on both sides. There is room for one value more. Without `chosen`
+ * of the first.
  */
 void model_jacobian(const struct model *model, const double *x, const int *chosen, int count,
                     double *jacobian);

@@ -137,12 +137,13 @@ static void keep_residuals(struct solving *solving)
 {
     struct solve_result *result = solving->result;
     double sum = 0;
-    int kept = 0;
+    int kept = 0, all = solving->request->marks->count;
 
-    for (int i = 0; i < solving->request->marks->count; i++) {
+    for (int i = 0; i < all; i++) {
         struct solve_mark *mark = &result->marks[i];
         mark->rejected = solving->rejected[i];
-        if (!model_residual(&solving->model, &solving->model.base, i, mark->residual_px))
+        if (!model_residuals(&solving->model, &solving->model.base, &i, 1, false,
+                             mark->residual_px))
             mark->residual_px[0] = mark->residual_px[1] = 1e7;
         double length = hypot(mark->residual_px[0], mark->residual_px[1]);
         if (mark->rejected) {

@@ -35,6 +35,39 @@ static double radius_beyond(const struct lens *lens, double angle)
     return r + (angle - last) * fmax(slope, least_steepness / lens->half_fov);
 }
 
+static int prepare(const struct cupola_output *output, struct projector *projector,
+                   struct cupola_error *error)
+{
+    struct cupola_rig rig = {.screen = {.radius_m = 1000}, .output_count = 1};
+    rig.outputs[0] = *output;
+    int status = cupola_rig_complete(&rig, &rig, error);
+    if (status == CUPOLA_OK)
+        projector_prepare(&rig.outputs[0], &rig.screen, projector);
+    return status;
+}
+
+static int project(const struct projector *projector, const double point_m[3], double pixel_px[2],
+                   struct cupola_error *error)
+{
+    double ray[3], v[3];
+    for (int i = 0; i < 3; i++)
+        ray[i] = point_m[i] - projector->position_m[i];
+    if (!(length3(ray) > 0) || !isfinite(length3(ray)))
+        return error_set(error, CUPOLA_ERROR_ARGUMENT,
+                         "point is (%g, %g, %g); allowed: finite, and not where the lens is",
+                         point_m[0], point_m[1], point_m[2]);
+    transform3_back(projector->aim, ray, v);
+    double across = hypot(v[0], v[1]);
+    double r = radius_beyond(&projector->lens, atan2(across, -v[2]));
+    for (int i = 0; i < 2; i++) {
+        double place = across > 0 ? r * v[i] / across : i == 0 ? r : 0;
+        pixel_px[i] = projector->center_px[i] + projector->sign[i] * projector->radius_px * place;
+    }
+    bool framed = pixel_px[0] >= 0 && pixel_px[1] >= 0 && pixel_px[0] <= projector->width_px &&
+                  pixel_px[1] <= projector->height_px;
+    return framed && r <= 1;
+}
+
 int cupola_output_pixel(const struct cupola_output *output, const double point_m[3],
                         double pixel_px[2], struct cupola_error *error)
 {
@@ -43,28 +76,23 @@ int cupola_output_pixel(const struct cupola_output *output, const double point_m
                          !output    ? "output"
                          : !point_m ? "point_m"
                                     : "pixel_px");
-    struct cupola_rig rig = {.screen = {.radius_m = 1000}, .output_count = 1};
-    rig.outputs[0] = *output;
-    int status = cupola_rig_complete(&rig, &rig, error);
-    if (status != CUPOLA_OK)
-        return status;
     struct projector projector;
-    projector_prepare(&rig.outputs[0], &rig.screen, &projector);
-    double ray[3], v[3];
-    for (int i = 0; i < 3; i++)
-        ray[i] = point_m[i] - projector.position_m[i];
-    if (!(length3(ray) > 0) || !isfinite(length3(ray)))
+    int status = prepare(output, &projector, error);
+    return status == CUPOLA_OK ? project(&projector, point_m, pixel_px, error) : status;
+}
+
+int cupola_output_pixels(const struct cupola_output *output, int count, const double *points_m,
+                         double *pixels_px, struct cupola_error *error)
+{
+    if (!output || !points_m || !pixels_px || count < 0)
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
-                         "point is (%g, %g, %g); allowed: finite, and not where the lens is",
-                         point_m[0], point_m[1], point_m[2]);
-    transform3_back(projector.aim, ray, v);
-    double across = hypot(v[0], v[1]);
-    double r = radius_beyond(&projector.lens, atan2(across, -v[2]));
-    for (int i = 0; i < 2; i++) {
-        double place = across > 0 ? r * v[i] / across : i == 0 ? r : 0;
-        pixel_px[i] = projector.center_px[i] + projector.sign[i] * projector.radius_px * place;
+                         count < 0 ? "count is below 0; allowed: 0 or more"
+                                   : "output, points_m or pixels_px is NULL");
+    struct projector projector;
+    int status = prepare(output, &projector, error), lit = 0;
+    for (int i = 0; i < count && status >= 0; i++) {
+        status = project(&projector, points_m + 3 * (size_t)i, pixels_px + 2 * (size_t)i, error);
+        lit += status > 0;
     }
-    bool framed = pixel_px[0] >= 0 && pixel_px[1] >= 0 && pixel_px[0] <= projector.width_px &&
-                  pixel_px[1] <= projector.height_px;
-    return framed && r <= 1;
+    return status < 0 ? status : lit;
 }

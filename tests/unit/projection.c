@@ -97,6 +97,31 @@ static void nonsense_is_refused_and_nothing_written(void **state)
     check_near(pixel[1], 8, 0);
 }
 
+static void many_points_are_as_good_as_each_alone(void **state)
+{
+    (void)state;
+    struct cupola_output output = output_of(CUPOLA_LENS_EQUISOLID, 150);
+    double points[3 * 20], pixels[2 * 20];
+    int lit = 0;
+    for (int i = 0; i < 20; i++) {
+        double angle = 0.1 * i;
+        memcpy(points + 3 * i, (double[3]){sin(angle), 0.1, -cos(angle)}, 3 * sizeof *points);
+    }
+    assert_in_range(cupola_output_pixels(&output, 20, points, pixels, NULL), 12, 14);
+    for (int i = 0; i < 20; i++) {
+        double pixel[2];
+        lit += cupola_output_pixel(&output, points + 3 * i, pixel, NULL);
+        assert_memory_equal(pixel, pixels + 2 * i, sizeof pixel);
+    }
+    assert_int_equal(cupola_output_pixels(&output, 20, points, pixels, NULL), lit);
+    assert_int_equal(cupola_output_pixels(&output, 0, points, pixels, NULL), 0);
+    assert_int_equal(cupola_output_pixels(&output, -1, points, pixels, NULL),
+                     CUPOLA_ERROR_ARGUMENT);
+    points[4] = NAN;
+    assert_int_equal(cupola_output_pixels(&output, 20, points, pixels, NULL),
+                     CUPOLA_ERROR_ARGUMENT);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -104,6 +129,7 @@ int main(void)
         cmocka_unit_test(the_image_radius_grows_beyond_the_rim_without_a_step),
         cmocka_unit_test(closed_forms_go_on_as_they_are),
         cmocka_unit_test(nonsense_is_refused_and_nothing_written),
+        cmocka_unit_test(many_points_are_as_good_as_each_alone),
     };
     return cmocka_run_group_tests_name("projection", tests, NULL, NULL);
 }

@@ -33,6 +33,22 @@ extern "C" {
 CUPOLA_API int cupola_output_pixel(const struct cupola_output *output, const double point_m[3],
                                    double pixel_px[2], struct cupola_error *error);
 
+/*
+ * The same for many points, in much less time than one by one.
+ *
+ * count     of points, 0 or more
+ * points_m  x, y, z of each
+ * pixels_px out: x, y of each; those before an impossible point are written
+ * output, error
+ *           as for cupola_output_pixel
+ * returns   how many lie within the image circle and the frame buffer, or CUPOLA_ERROR_ARGUMENT
+ * thread    any
+ * since     0.1
+ */
+CUPOLA_API int cupola_output_pixels(const struct cupola_output *output, int count,
+                                    const double *points_m, double *pixels_px,
+                                    struct cupola_error *error);
+
 #ifdef __cplusplus
 }
 #endif
