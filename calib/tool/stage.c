@@ -218,11 +218,9 @@ bool stage_pixel(const struct tool *tool, int width, int height, double x, doubl
     place_image(tool, width, height, place);
     at[0] = (x - place[0]) / place[2];
     at[1] = (height - y - place[1]) / place[3];
-    if (!(at[0] >= 0 && at[0] <= 1 && at[1] >= 0 && at[1] <= 1))
-        return false;
     pixel_px[0] = at[0] * output->width_px;
     pixel_px[1] = at[1] * output->height_px;
-    return true;
+    return at[0] >= 0 && at[0] <= 1 && at[1] >= 0 && at[1] <= 1;
 }
 
 static void show_image(struct stage *stage, unsigned int framebuffer, const int place[4])

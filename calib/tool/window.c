@@ -57,6 +57,8 @@ static void toggle_fullscreen(struct window *window)
         glfwGetWindowSize(window->handle, &place[2], &place[3]);
         glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height,
                              mode->refreshRate);
+        /* What fills the projector's monitor has its size. */
+        tool_resize(window->tool, mode->width, mode->height);
     }
     window->dirty = true;
 }
@@ -85,28 +87,28 @@ static void on_cursor(GLFWwindow *handle, double x, double y)
     struct window *window = glfwGetWindowUserPointer(handle);
     int width, height;
     double pixel[2];
+    bool inside;
 
     glfwGetWindowSize(handle, &width, &height);
     if (width < 1 || height < 1)
         return;
     window->tool->time_s = glfwGetTime();
     /* Screen coordinates need not be pixels. */
-    if (stage_pixel(window->tool, window->width, window->height, x * window->width / width,
-                    y * window->height / height, pixel))
+    inside = stage_pixel(window->tool, window->width, window->height, x * window->width / width,
+                         y * window->height / height, pixel);
+    /* What is dragged may leave the image and come back. */
+    if (inside || window->tool->drags)
         tool_mouse(window->tool, pixel[0], pixel[1]);
 }
 
 static void on_button(GLFWwindow *handle, int button, int action, int modifiers)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
-    double x, y;
 
     (void)modifiers;
-    if (button != GLFW_MOUSE_BUTTON_LEFT)
-        return;
-    glfwGetCursorPos(handle, &x, &y);
-    on_cursor(handle, x, y);
-    tool_mouse_button(window->tool, action == GLFW_PRESS);
+    /* Where the mouse is was said by the last event: asked now, it may be further on already. */
+    if (button == GLFW_MOUSE_BUTTON_LEFT)
+        tool_mouse_button(window->tool, action == GLFW_PRESS);
 }
 
 static void on_size(GLFWwindow *handle, int width, int height)
@@ -248,10 +250,11 @@ static void save_picture(struct window *window)
         memcpy(tool->warning, message, sizeof message);
 }
 
-/* Padding counts too, a frame too many does no harm; the clock does not. */
+/* Padding counts too, a frame too many does no harm; the clock and where the mouse is do not. */
 static bool has_changed(struct window *window)
 {
     window->shown.time_s = window->tool->time_s;
+    memcpy(window->shown.mouse_px, window->tool->mouse_px, sizeof window->shown.mouse_px);
     return window->dirty || memcmp(&window->shown, window->tool, sizeof window->shown) != 0;
 }
 
