@@ -43,8 +43,9 @@ static void add_parameter(const struct tool *tool, struct panel *panel, int whic
         return;
     parameter_label(parameter, name, sizeof name);
     parameter_text(tool, parameter, value, sizeof value);
-    snprintf(step, sizeof step, "%s: step %g", keys[which],
-             tool->step_scale * parameter_step(tool, parameter));
+    /* There is little room on the dome. */
+    snprintf(step, sizeof step, "%s%sstep %g", tool->text_on_dome ? "" : keys[which],
+             tool->text_on_dome ? "" : ": ", tool->step_scale * parameter_step(tool, parameter));
     add_line(panel, name, value, step);
 }
 
@@ -57,6 +58,8 @@ static void write_legend(const struct tool *tool, struct panel *panel)
     add_line(panel, tool_group_name(tool->group), "", tool->shows_before ? "BEFORE" : "");
     for (int which = 0; which < 3; which++)
         add_parameter(tool, panel, which);
+    if (tool->text_on_dome)
+        return;
     add_line(panel, "", "", "");
     parameter_text(tool, PARAMETER_FOV, number, sizeof number);
     snprintf(text, sizeof text, "%s %s", cupola_lens_model_name((int)output->lens.model), number);

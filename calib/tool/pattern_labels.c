@@ -61,7 +61,7 @@ __attribute__((format(printf, 5, 6))) static void put(struct list *list, const d
     vsnprintf(labels->texts[labels->count], PATTERN_LABEL_TEXT, format, arguments);
     va_end(arguments);
     *label = (struct dome_label){
-        .text = labels->texts[labels->count], .unit_rad = list->unit_rad, .ground = 0.65f};
+        .text = labels->texts[labels->count], .unit_rad = list->unit_rad, .ground = 0.8f};
     direction_of(list, v, label->direction);
     memcpy(label->ink, ink, sizeof label->ink);
     dome_label_anchor(label, side.across, side.up);

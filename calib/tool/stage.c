@@ -144,7 +144,7 @@ static void draw_labels(struct stage *stage, const struct tool *tool)
 /* The name of the mark that is being steered to, beside the cross-hair. */
 static void draw_cross_name(struct stage *stage, const struct tool *tool)
 {
-    struct dome_label label = {.ink = {1, 0.75f, 0.1f}, .ground = 0.65f};
+    struct dome_label label = {.ink = {1, 0.75f, 0.1f}, .ground = 0.8f};
     cupola_dome *dome = NULL;
     struct cupola_ray ray;
 
