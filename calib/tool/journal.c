@@ -57,7 +57,6 @@ static void write_start(struct tool *tool)
         append(tool, &text);
     look_of(&(struct tool){0}, tool->journal->look);
     journal_look(tool);
-    journal_file_sync(&tool->journal->file);
 }
 
 /* Moves what is there aside and begins a new file. */
@@ -148,8 +147,9 @@ enum journal_found journal_open(struct tool *tool, bool fresh, char *message)
     enum journal_file_opened opened = JOURNAL_FILE_REFUSED;
     enum journal_found result = JOURNAL_FAILED;
 
-    snprintf(message, MESSAGE_SIZE, "out of memory for the journal");
-    if (path && journal) {
+    if (!path || !journal) {
+        snprintf(message, MESSAGE_SIZE, "out of memory for the journal");
+    } else {
         snprintf(path, size, "%s.journal", tool->rig_path);
         opened = journal_file_open(&journal->file, path, message);
     }

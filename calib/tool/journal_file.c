@@ -80,10 +80,8 @@ enum journal_file_opened journal_file_open(struct journal_file *file, const char
         enum journal_file_opened opened = open_once(file, message);
         if (opened != JOURNAL_FILE_OPEN)
             return opened;
-        if (is_current(file)) {
-            sync_directory(file->path);
+        if (is_current(file))
             return JOURNAL_FILE_OPEN;
-        }
         close(file->fd);
         file->fd = -1;
     }
@@ -201,8 +199,12 @@ bool journal_file_append(struct journal_file *file, const char *bytes, size_t si
 
 void journal_file_sync(struct journal_file *file)
 {
-    if (file->fd >= 0 && file->dirty)
+    if (file->fd >= 0 && file->dirty) {
         fdatasync(file->fd);
+        if (!file->named)
+            sync_directory(file->path);
+        file->named = true;
+    }
     file->dirty = false;
 }
 

@@ -11,6 +11,7 @@ struct journal_file {
     char *pending; /* what a full disk did not take yet */
     size_t pending_size;
     bool dirty; /* not yet brought to the disk */
+    bool named; /* its name is on the disk */
 };
 
 enum journal_file_opened {

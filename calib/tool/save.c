@@ -38,34 +38,74 @@ bool tool_save(struct tool *tool, const char *rig_path)
 struct resizing {
     double scale;
     double from_px[2], to_px[2]; /* sizes */
+    const struct tool *tool;     /* of the new size, to check against */
+    char *message;               /* what is impossible then; empty: nothing */
 };
 
-static void move_pixel(const struct resizing *resizing, double *pixel_px, int axis)
+static double moved(const struct resizing *resizing, double pixel_px, int axis)
 {
-    *pixel_px =
-        0.5 * resizing->to_px[axis] + resizing->scale * (*pixel_px - 0.5 * resizing->from_px[axis]);
+    return 0.5 * resizing->to_px[axis] +
+           resizing->scale * (pixel_px - 0.5 * resizing->from_px[axis]);
+}
+
+static void move_values(const struct resizing *resizing, struct values *values)
+{
+    for (int axis = 0; axis < 2; axis++) {
+        double *cross = &values->raw[PARAMETER_CROSS_X + axis];
+        double *center = &values->raw[PARAMETER_CIRCLE_X + axis];
+        *cross = fmin(fmax(moved(resizing, *cross, axis), 0), resizing->to_px[axis]);
+        *center = moved(resizing, *center, axis);
+    }
+    values->raw[PARAMETER_CIRCLE_RADIUS] *= resizing->scale;
 }
 
 static void move_step(void *user, struct values *values, struct change *step)
 {
     const struct resizing *resizing = user;
 
-    for (int axis = 0; axis < 2; axis++) {
-        move_pixel(resizing, &values->raw[PARAMETER_CIRCLE_X + axis], axis);
-        move_pixel(resizing, &values->raw[PARAMETER_CROSS_X + axis], axis);
-        if (step && step->mark >= 0) {
-            move_pixel(resizing, &step->mark_before.pixel_px[axis], axis);
-            move_pixel(resizing, &step->mark_after.pixel_px[axis], axis);
-        }
+    move_values(resizing, values);
+    for (int axis = 0; step && step->mark >= 0 && axis < 2; axis++) {
+        double *before = &step->mark_before.pixel_px[axis];
+        double *after = &step->mark_after.pixel_px[axis];
+        *before = step->mark_before.steered ? moved(resizing, *before, axis) : 0;
+        *after = step->mark_after.steered ? moved(resizing, *after, axis) : 0;
     }
-    values->raw[PARAMETER_CIRCLE_RADIUS] *= resizing->scale;
+}
+
+static void check_step(void *user, struct values *values, struct change *step)
+{
+    const struct resizing *resizing = user;
+    struct values then = *values;
+
+    (void)step;
+    move_values(resizing, &then);
+    if (resizing->message[0] == '\0')
+        values_check(resizing->tool, &then, resizing->message);
 }
 
 static void move_marks(const struct resizing *resizing, struct marks *marks)
 {
     for (int i = 0; i < marks->count; i++)
         for (int axis = 0; marks->list[i].steered && axis < 2; axis++)
-            move_pixel(resizing, &marks->list[i].pixel_px[axis], axis);
+            marks->list[i].pixel_px[axis] = moved(resizing, marks->list[i].pixel_px[axis], axis);
+}
+
+/* The rigs of the tool as they are in the new size. */
+static bool resize_rigs(struct tool *tool, int width_px, int height_px, char *message)
+{
+    struct cupola_rig *const rigs[] = {&tool->rig, &tool->before, &tool->theatre};
+    struct cupola_error error = {0};
+
+    for (int i = 0; i < 3; i++) {
+        if (tool->output < rigs[i]->output_count &&
+            (cupola_output_resize(&rigs[i]->outputs[tool->output], width_px, height_px, &error) <
+                 0 ||
+             cupola_rig_complete(rigs[i], NULL, &error) < 0)) {
+            snprintf(message, MESSAGE_SIZE, "%s", error.message);
+            return false;
+        }
+    }
+    return true;
 }
 
 bool tool_resize_quietly(struct tool *tool, int width_px, int height_px, char *message)
@@ -73,27 +113,27 @@ bool tool_resize_quietly(struct tool *tool, int width_px, int height_px, char *m
     const struct cupola_output *output = &tool->rig.outputs[tool->output];
     struct resizing resizing = {.from_px = {output->width_px, output->height_px},
                                 .to_px = {width_px, height_px}};
-    struct cupola_rig *const rigs[] = {&tool->rig, &tool->before, &tool->theatre};
-    struct cupola_error error = {0};
+    struct tool resized = *tool;
     struct values values;
 
     if (output->width_px == width_px && output->height_px == height_px)
         return true;
-    for (int i = 0; i < 3; i++) {
-        if (tool->output < rigs[i]->output_count &&
-            cupola_output_resize(&rigs[i]->outputs[tool->output], width_px, height_px, &error) <
-                0) {
-            snprintf(message, MESSAGE_SIZE, "%s", error.message);
-            return false;
-        }
-    }
+    if (!resize_rigs(&resized, width_px, height_px, message))
+        return false;
     resizing.scale = fmin(width_px / resizing.from_px[0], height_px / resizing.from_px[1]);
-    for (int axis = 0; axis < 2; axis++)
-        move_pixel(&resizing, &tool->cross_px[axis], axis);
+    resizing.tool = &resized;
+    resizing.message = message;
+    message[0] = '\0';
+    history_visit(tool->history, check_step, &resizing);
+    if (message[0])
+        return false;
+    values_take(tool, &values);
+    move_values(&resizing, &values);
+    *tool = resized;
+    values_put(tool, &values);
     move_marks(&resizing, &tool->marks);
     move_marks(&resizing, &tool->saved_marks);
     history_visit(tool->history, move_step, &resizing);
-    values_take(tool, &values);
     tool_compare_saved(tool);
     return true;
 }
@@ -102,10 +142,13 @@ bool tool_resize(struct tool *tool, int width_px, int height_px)
 {
     int from[2] = {tool->rig.outputs[tool->output].width_px,
                    tool->rig.outputs[tool->output].height_px};
-    char line[60];
+    char line[60], message[MESSAGE_SIZE];
 
-    if (!tool_resize_quietly(tool, width_px, height_px, tool->warning))
+    if (!tool_resize_quietly(tool, width_px, height_px, message)) {
+        snprintf(tool->warning, MESSAGE_SIZE, "the image stays %dx%d px, not %dx%d: %.1300s",
+                 from[0], from[1], width_px, height_px, message);
         return false;
+    }
     if (from[0] == width_px && from[1] == height_px)
         return true;
     snprintf(tool->notice, MESSAGE_SIZE, "the image of %dx%d px is %dx%d px here: the rig takes it",

@@ -1,0 +1,235 @@
+/* Marks and the mouse: the cross-hair starts where the rig predicts it, and goes from mark to mark. */
+#include <cupola/dome.h>
+#include <cupola/rig_file.h>
+
+#include "tool/marks_walk.h"
+#include "tool_fixture.h"
+
+static void open_with_marks(struct tool *tool, struct marks marks)
+{
+    struct cupola_rig rig;
+    char message[MESSAGE_SIZE];
+
+    assert_int_equal(cupola_rig_preset("visionstation", &rig, NULL), CUPOLA_OK);
+    rig.outputs[0].position_m[1] = -0.1;
+    assert_true(tool_open(tool, &rig, 0, &marks, "rig.cfg", "marks-steered.csv", message));
+    tool_key(tool, GLFW_KEY_M, 0);
+}
+
+static struct marks three_marks(void)
+{
+    struct marks marks = {MARKS_DIRECTIONS, calloc(3, sizeof *marks.list), 3};
+
+    assert_non_null(marks.list);
+    for (int i = 0; i < 3; i++) {
+        snprintf(marks.list[i].name, sizeof marks.list[i].name, "m%d", i + 1);
+        marks.list[i].place[0] = 0.6 * (i - 1);
+        marks.list[i].place[2] = -sqrt(1 - 0.36 * (i - 1) * (i - 1));
+    }
+    return marks;
+}
+
+static void the_cross_hair_starts_at_the_pixel_that_lights_the_mark(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    open_with_marks(&tool, three_marks());
+    for (int i = 0; i < 3; i++) {
+        cupola_dome *dome = NULL;
+        struct cupola_ray ray;
+        assert_int_equal(tool.mark, i);
+        assert_int_equal(cupola_dome_create(&tool.rig, &dome, NULL), CUPOLA_OK);
+        assert_int_equal(cupola_dome_ray(dome, 0, NULL, tool.cross_px[0], tool.cross_px[1], &ray),
+                         1);
+        for (int axis = 0; axis < 3; axis++)
+            check_near(ray.point_m[axis], 0.75 * tool.marks.list[i].place[axis], 1e-9);
+        cupola_dome_destroy(&dome);
+        tool_key(&tool, GLFW_KEY_PAGE_UP, 0);
+    }
+    assert_int_equal(tool.mark, 0);
+    tool_close(&tool);
+}
+
+static void enter_takes_the_pixel_and_goes_to_the_next(void **state)
+{
+    struct tool tool;
+    double taken[2];
+
+    (void)state;
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_RIGHT, GLFW_MOD_CONTROL);
+    memcpy(taken, tool.cross_px, sizeof taken);
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    assert_int_equal(tool.mark, 1);
+    assert_true(tool.marks.list[0].steered);
+    assert_memory_equal(tool.marks.list[0].pixel_px, taken, sizeof taken);
+    assert_true(tool.unsaved);
+    tool_undo(&tool);
+    assert_false(tool.marks.list[0].steered);
+    assert_int_equal(tool.mark, 0);
+    assert_memory_equal(tool.cross_px, taken, sizeof taken);
+    tool_redo(&tool);
+    assert_true(tool.marks.list[0].steered);
+    tool_key(&tool, GLFW_KEY_PAGE_DOWN, 0);
+    assert_memory_equal(tool.cross_px, taken, sizeof taken);
+    tool_key(&tool, GLFW_KEY_BACKSPACE, 0);
+    assert_int_equal(marks_walk_steered(&tool), 0);
+    tool_undo(&tool);
+    assert_int_equal(marks_walk_steered(&tool), 1);
+    for (int i = 0; i < 3; i++)
+        tool_key(&tool, GLFW_KEY_ENTER, 0);
+    assert_int_equal(marks_walk_steered(&tool), 3);
+    assert_non_null(strstr(tool.notice, "all 3 marks"));
+    tool_close(&tool);
+}
+
+static void saving_writes_what_reads_back(void **state)
+{
+    struct tool tool;
+    struct marks marks;
+    struct cupola_rig rig;
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    assert_true(tool_set(&tool, PARAMETER_YAW, 12.3));
+    tool_key(&tool, GLFW_KEY_S, 0);
+    assert_false(tool.unsaved);
+    assert_true(marks_read("marks-steered.csv", false, &marks, message));
+    check_same_marks(&marks, &tool.marks);
+    marks_free(&marks);
+    assert_int_equal(cupola_rig_read("rig.cfg", NULL, &rig, NULL), CUPOLA_OK);
+    assert_memory_equal(&rig.outputs[0].aim, &tool.rig.outputs[0].aim, sizeof rig.outputs[0].aim);
+    tool_key(&tool, GLFW_KEY_X, 0);
+    assert_true(tool.unsaved);
+    tool_undo(&tool);
+    assert_false(tool.unsaved);
+    assert_false(tool_save(&tool, "there/is/no/folder.cfg"));
+    assert_true(tool.warning[0]);
+    tool_close(&tool);
+}
+
+static void without_marks_their_keys_say_so(void **state)
+{
+    static const int keys[] = {GLFW_KEY_ENTER, GLFW_KEY_BACKSPACE, GLFW_KEY_PAGE_UP, GLFW_KEY_R};
+    struct tool tool;
+
+    (void)state;
+    open_with_marks(&tool, (struct marks){0});
+    for (int i = 0; i < 4; i++) {
+        tool.warning[0] = '\0';
+        tool_key(&tool, keys[i], 0);
+        assert_true(tool.warning[0]);
+        assert_int_equal(history_undo_count(tool.history), 0);
+    }
+    tool_close(&tool);
+}
+
+static void a_drag_moves_the_circle_in_one_step(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    open_with_marks(&tool, (struct marks){0});
+    tool.group = GROUP_CIRCLE;
+    tool_mouse(&tool, 100, 100);
+    tool_mouse_button(&tool, true);
+    for (int i = 1; i <= 50; i++) {
+        tool.time_s += 0.5;
+        tool_mouse(&tool, 100 + i, 100 - 0.5 * i);
+    }
+    tool_mouse_button(&tool, false);
+    tool_mouse(&tool, 0, 0);
+    check_near(parameter_get(&tool, PARAMETER_CIRCLE_X), 562, 1e-9);
+    check_near(parameter_get(&tool, PARAMETER_CIRCLE_Y), 359, 1e-9);
+    assert_int_equal(history_undo_count(tool.history), 1);
+    tool_undo(&tool);
+    check_near(parameter_get(&tool, PARAMETER_CIRCLE_X), 512, 0);
+    tool_close(&tool);
+}
+
+static void the_dot_goes_to_the_mouse(void **state)
+{
+    struct tool tool;
+    cupola_dome *dome = NULL;
+    double direction[3], pixel_px[2];
+
+    (void)state;
+    open_with_marks(&tool, (struct marks){0});
+    tool.group = GROUP_DOT;
+    tool_mouse(&tool, 300, 500);
+    tool_mouse_button(&tool, true);
+    direction[0] = -sin(tool.dot_yaw_rad) * cos(tool.dot_pitch_rad);
+    direction[1] = sin(tool.dot_pitch_rad);
+    direction[2] = -cos(tool.dot_yaw_rad) * cos(tool.dot_pitch_rad);
+    assert_int_equal(cupola_dome_create(&tool.rig, &dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_dome_pixel(dome, 0, NULL, direction, pixel_px), 1);
+    check_near(pixel_px[0], 300, 1e-6);
+    check_near(pixel_px[1], 500, 1e-6);
+    cupola_dome_destroy(&dome);
+    tool_close(&tool);
+}
+
+static void another_image_size_keeps_all_in_its_place(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    tool_set(&tool, PARAMETER_CIRCLE_RADIUS, 500);
+    assert_true(tool_resize(&tool, 2048, 1536));
+    check_near(parameter_get(&tool, PARAMETER_CIRCLE_RADIUS), 1000, 1e-9);
+    assert_non_null(strstr(tool.notice, "1024x768"));
+    tool_undo(&tool);
+    check_near(parameter_get(&tool, PARAMETER_CIRCLE_RADIUS), 1024, 1e-9);
+    check_near(parameter_get(&tool, PARAMETER_CIRCLE_X), 1024, 1e-9);
+    tool_undo(&tool);
+    assert_false(tool.unsaved);
+    tool_redo(&tool);
+    marks_walk_to(&tool, 0);
+    check_near(tool.cross_px[0], tool.marks.list[0].pixel_px[0], 0);
+    tool.marks.list[0].steered = false;
+    marks_walk_to(&tool, 0);
+    check_near(tool.cross_px[0], tool.marks.list[0].pixel_px[0], 1e-9);
+    check_near(tool.cross_px[1], tool.marks.list[0].pixel_px[1], 1e-9);
+    assert_false(tool_resize(&tool, 0, 5));
+    tool_close(&tool);
+}
+
+static void a_tracked_eye_is_shown_and_kept_inside(void **state)
+{
+    struct tool tool;
+    struct cupola_rig rig;
+
+    (void)state;
+    open_with_marks(&tool, (struct marks){0});
+    tool.viewer_lives = true;
+    memcpy(tool.live_eye_m, (double[]){0.1, 0.2, 0.3}, sizeof tool.live_eye_m);
+    tool_shown_rig(&tool, &rig);
+    assert_memory_equal(rig.eye_m, tool.live_eye_m, sizeof rig.eye_m);
+    memcpy(tool.live_eye_m, (double[]){0, 50, 0}, sizeof tool.live_eye_m);
+    tool_shown_rig(&tool, &rig);
+    assert_int_equal(cupola_rig_complete(&rig, NULL, NULL), CUPOLA_OK);
+    tool.live_eye_m[0] = (double)NAN;
+    tool_shown_rig(&tool, &rig);
+    assert_int_equal(cupola_rig_complete(&rig, NULL, NULL), CUPOLA_OK);
+    tool_close(&tool);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_cross_hair_starts_at_the_pixel_that_lights_the_mark),
+        cmocka_unit_test(enter_takes_the_pixel_and_goes_to_the_next),
+        cmocka_unit_test(saving_writes_what_reads_back),
+        cmocka_unit_test(without_marks_their_keys_say_so),
+        cmocka_unit_test(a_drag_moves_the_circle_in_one_step),
+        cmocka_unit_test(the_dot_goes_to_the_mouse),
+        cmocka_unit_test(another_image_size_keeps_all_in_its_place),
+        cmocka_unit_test(a_tracked_eye_is_shown_and_kept_inside),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, NULL);
+}
