@@ -1,5 +1,6 @@
 /* Marks and the mouse: the cross-hair starts where the rig predicts it, and goes from mark to mark. */
 #include <cupola/dome.h>
+#include <cupola/projection.h>
 #include <cupola/rig_file.h>
 
 #include "tool/marks_walk.h"
@@ -219,6 +220,64 @@ static void a_tracked_eye_is_shown_and_kept_inside(void **state)
     tool_close(&tool);
 }
 
+/* Marks all over, as a projector elsewhere lights them, but for the last one. */
+static struct marks marks_of(const struct cupola_rig *truth)
+{
+    uint64_t seed = 12;
+    struct marks marks = random_marks(&seed, 20);
+
+    for (int i = 0; i < marks.count; i++) {
+        double point_m[3];
+        for (int axis = 0; axis < 3; axis++)
+            point_m[axis] = marks.list[i].place[axis] * truth->screen.radius_m;
+        marks.list[i].steered = true;
+        assert_true(
+            cupola_output_pixel(&truth->outputs[0], point_m, marks.list[i].pixel_px, NULL) >= 0);
+    }
+    marks.list[19].pixel_px[0] += 50;
+    return marks;
+}
+
+static void solving_is_one_step_that_names_wrong_marks(void **state)
+{
+    struct cupola_rig truth;
+    struct tool tool;
+    double before;
+
+    (void)state;
+    assert_int_equal(cupola_rig_preset("visionstation", &truth, NULL), CUPOLA_OK);
+    memcpy(truth.outputs[0].position_m, (double[]){0.05, -0.12, 0.02}, 3 * sizeof(double));
+    truth.outputs[0].aim.pitch_rad = 0.05;
+    open_with_marks(&tool, marks_of(&truth));
+    before = parameter_get(&tool, PARAMETER_PROJECTOR_X);
+    tool_key(&tool, GLFW_KEY_R, 0);
+    assert_string_equal(tool.warning, "");
+    assert_non_null(strstr(tool.notice, "19 marks"));
+    assert_non_null(strstr(tool.notice, tool.marks.list[19].name));
+    for (int axis = 0; axis < 3; axis++)
+        check_near(tool.rig.outputs[0].position_m[axis], truth.outputs[0].position_m[axis], 1e-6);
+    check_near(tool.rig.outputs[0].aim.pitch_rad, 0.05, 1e-6);
+    assert_int_equal(history_undo_count(tool.history), 1);
+    tool_undo(&tool);
+    check_near(parameter_get(&tool, PARAMETER_PROJECTOR_X), before, 0);
+    tool_close(&tool);
+}
+
+static void too_few_marks_are_refused_with_the_reason(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_R, 0);
+    assert_non_null(strstr(tool.warning, "no mark has a pixel"));
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    tool_key(&tool, GLFW_KEY_R, 0);
+    assert_true(tool.warning[0]);
+    assert_int_equal(history_undo_count(tool.history), 1);
+    tool_close(&tool);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -226,6 +285,8 @@ int main(void)
         cmocka_unit_test(enter_takes_the_pixel_and_goes_to_the_next),
         cmocka_unit_test(saving_writes_what_reads_back),
         cmocka_unit_test(without_marks_their_keys_say_so),
+        cmocka_unit_test(solving_is_one_step_that_names_wrong_marks),
+        cmocka_unit_test(too_few_marks_are_refused_with_the_reason),
         cmocka_unit_test(a_drag_moves_the_circle_in_one_step),
         cmocka_unit_test(the_dot_goes_to_the_mouse),
         cmocka_unit_test(another_image_size_keeps_all_in_its_place),
