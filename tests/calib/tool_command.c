@@ -1,0 +1,160 @@
+/* The tool as a user meets it on a command line, without a display. */
+#include "tool_fixture.h"
+
+static char output[200000];
+
+/* Runs a shell's line in which $C is the program; returns its exit status. */
+static int run(const char *line)
+{
+    size_t length;
+    FILE *process;
+    int status;
+    char command[4000];
+
+    snprintf(command, sizeof command, "unset DISPLAY WAYLAND_DISPLAY; C='%s'; { %s; } 2>&1",
+             getenv("CUPOLA_CALIB"), line);
+    process = popen(command, "r");
+    assert_non_null(process);
+    length = fread(output, 1, sizeof output - 1, process);
+    output[length] = '\0';
+    status = pclose(process);
+    return status < 0 ? status : status >> 8;
+}
+
+static void check_run(const char *line, int status, const char *says)
+{
+    int ended = run(line);
+
+    if (ended != status || !strstr(output, says))
+        fail_msg("%s: status %d, expected %d with '%s': %s", line, ended, status, says, output);
+}
+
+static void help_names_every_key_and_value(void **state)
+{
+    struct key_line line;
+
+    (void)state;
+    assert_int_equal(run("\"$C\" --help"), 0);
+    for (int i = 0; key_line(i, &line); i++)
+        assert_non_null(strstr(output, line.help));
+    for (int i = 0; parameter_name(i); i++)
+        assert_non_null(strstr(output, parameter_name(i)));
+    check_run("\"$C\" -h", 0, "Usage: ");
+    check_run("\"$C\" --version", 0, "cupola-calib ");
+}
+
+static void wrong_options_are_refused_in_one_line(void **state)
+{
+    static const struct {
+        const char *options, *says;
+    } wrong[] = {
+        {"--foo", "unknown option '--foo'"},
+        {"-x", "unknown option '-x'"},
+        {"--rig", "needs a value"},
+        {"--help=3", "takes no value"},
+        {"--pattern spiral", "grid, meridians"},
+        {"--preview in", "none, eye, outside"},
+        {"--windowed 0x5", "1 to 32768"},
+        {"--windowed=big", "WxH"},
+        {"--frames 0", "1 to 1000000"},
+        {"a.cfg b.cfg", "one rig file"},
+        {"--rig a.cfg --preset visionstation", "one of them"},
+        {"--headless", "--script, --picture or --frames"},
+        {"--marks-output a.csv", "needs --marks"},
+        {"--projector 3 --script -", "0 to 0"},
+        {"--script - --picture a.png", "'picture FILE.png'"},
+        {"--script - --osc 9000", "'eye X Y Z'"},
+        {"--osc nowhere", "HOST:PORT"},
+        {"--picture a.jpg", "FILE.png or FILE.pfm"},
+        {"--output ''", "''"},
+        {"''", "''"},
+    };
+    char line[300];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        snprintf(line, sizeof line, "\"$C\" %s </dev/null", wrong[i].options);
+        check_run(line, 2, wrong[i].says);
+        assert_ptr_equal(strchr(output, '\n') + 1, output + strlen(output));
+    }
+}
+
+static void missing_files_are_failures(void **state)
+{
+    (void)state;
+    check_run("\"$C\" none.cfg --script - </dev/null", 1, "none.cfg");
+    check_run("\"$C\" --marks none.csv --script - </dev/null", 1, "none.csv");
+    check_run("\"$C\" --theatre none.cfg --script - </dev/null", 1, "none.cfg");
+    check_run("\"$C\" --script none.script", 1, "none.script");
+    check_run("\"$C\" --script . ", 1, "cannot be read");
+    check_run("\"$C\" --output no/rig.cfg --script - </dev/null", 1, "no/rig.cfg");
+    check_run("\"$C\"", 1, "neither DISPLAY nor WAYLAND_DISPLAY");
+}
+
+static void a_session_as_a_script(void **state)
+{
+    (void)state;
+    check_run("printf 'name,dir_x,dir_y,dir_z\\na,0,0,-1\\nb,0.6,0,-0.8\\n' >marks.csv;"
+              "printf 'key M\\nkey Right 3\\nkey Enter 2\\nexpect marks_steered 2\\n"
+              "set viewer_y_m 0.2\\nkey S\\nexpect notice containing marks-steered.csv\\n"
+              "picture window.png\\ndome dome.png\\nframes 2\\n' |"
+              "\"$C\" --preset visionstation --output s.cfg --marks marks.csv --windowed 320x240 "
+              "--script - && grep -q 'eye_m = .0.0, 0.2, 0.0' s.cfg && grep -c , marks-steered.csv "
+              "&& test -s window.png && test -s dome.png",
+              0, "3");
+    check_run("printf 'key A\\n\\nexpect yaw_deg 4\\n' | \"$C\" --script -", 1,
+              "standard input:3: expected yaw_deg 4");
+    check_run("\"$C\" s.cfg --picture p.png --windowed 64x48 && test -s p.png", 0, "");
+    check_run("\"$C\" s.cfg --headless --frames 2 --windowed 64x48", 0, "");
+}
+
+static void a_script_keeps_a_journal_only_if_asked(void **state)
+{
+    (void)state;
+    check_run("echo 'key X' | \"$C\" --output j.cfg --script - && test ! -e j.cfg.journal", 0, "");
+    check_run("echo 'key X' | \"$C\" --output j.cfg --script - --journal; test -e j.cfg.journal", 0,
+              "unsaved changes are kept in j.cfg.journal");
+    check_run("printf 'expect flip 1\\nexpect notice containing restored\\nkey S\\n' |"
+              "\"$C\" --output j.cfg --script - --journal && test ! -e j.cfg.journal",
+              0, "");
+}
+
+static void two_programs_cannot_share_a_rig(void **state)
+{
+    (void)state;
+    check_run("mkfifo lines; \"$C\" --output t.cfg --script - --journal <lines & exec 9>lines;"
+              "while ! test -s t.cfg.journal; do sleep 0.01; done;"
+              "\"$C\" --output t.cfg --script - --journal </dev/null; status=$?;"
+              "exec 9>&-; wait; exit $status",
+              1, "in use");
+}
+
+static void killed_it_goes_on_where_it_was(void **state)
+{
+    (void)state;
+    check_run(
+        "mkfifo keys; \"$C\" --output k.cfg --script - --journal <keys & process=$!;"
+        "exec 9>keys; printf 'set yaw_deg 7\\nset pitch_deg 3\\n' >&9;"
+        "while ! grep -q '^[0-9]* change 14' k.cfg.journal 2>/dev/null; do sleep 0.01; done;"
+        "kill -9 $process; wait $process; exec 9>&-;"
+        "printf 'expect yaw_deg 7\\nexpect pitch_deg 3\\nkey ctrl+Z\\nexpect pitch_deg 0\\n' |"
+        "\"$C\" --output k.cfg --script - --journal",
+        0, "");
+    check_run("printf 'expect yaw_deg 0\\n' | \"$C\" --output k.cfg --script - --journal --fresh "
+              "&& test -s k.cfg.journal.old",
+              0, "");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(help_names_every_key_and_value),
+        cmocka_unit_test(wrong_options_are_refused_in_one_line),
+        cmocka_unit_test(missing_files_are_failures),
+        cmocka_unit_test(a_session_as_a_script),
+        cmocka_unit_test(a_script_keeps_a_journal_only_if_asked),
+        cmocka_unit_test(two_programs_cannot_share_a_rig),
+        cmocka_unit_test(killed_it_goes_on_where_it_was),
+    };
+    return cmocka_run_group_tests(tests, enter_folder, NULL);
+}
