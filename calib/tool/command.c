@@ -191,54 +191,48 @@ static int run_without_window(const struct tool_options *options, struct tool *t
     return status;
 }
 
-/* What moves by itself in a window. */
-struct moving {
-    struct viewer_feed *feed; /* NULL: no tracker */
-    int frames;               /* left; 0: no end */
-};
-
-static void before_frame(struct tool *tool, void *user)
+/* A tracker moves the eye. */
+static void before_frame(struct tool *tool, void *feed)
 {
-    struct moving *moving = user;
-
-    if (moving->feed && viewer_feed_eye(moving->feed, tool->live_eye_m))
+    if (viewer_feed_eye(feed, tool->live_eye_m))
         tool->viewer_lives = true;
-    if (moving->frames > 0 && --moving->frames == 0)
-        tool->ends = true;
 }
 
-static bool listen_to_tracker(const struct tool_options *options, const struct tool *tool,
-                              struct moving *moving, char *message)
+/* NULL with one line in the message. */
+static struct viewer_feed *listen_to_tracker(const struct tool_options *options,
+                                             const struct tool *tool, char *message)
 {
     const struct viewer_feed_wishes wishes = {
         .address = options->osc, .ahead_s = 0.02, .radius_m = 0.9 * tool->rig.screen.radius_m};
+    struct viewer_feed *feed = viewer_feed_create(&wishes, message);
 
-    if (!options->osc)
-        return true;
-    moving->feed = viewer_feed_create(&wishes, message);
-    if (moving->feed)
-        fprintf(stderr, "cupola-calib: the eye is heard at %s\n",
-                viewer_feed_address(moving->feed));
-    return moving->feed != NULL;
+    if (feed)
+        fprintf(stderr, "cupola-calib: the eye is heard at %s\n", viewer_feed_address(feed));
+    return feed;
 }
 
 static int run_window(const struct tool_options *options, struct tool *tool, char *message)
 {
     const struct cupola_output *output = &tool->rig.outputs[tool->output];
-    struct moving moving = {NULL, options->frames > 0 ? options->frames + 1 : 0};
-    struct window_wishes wishes = {
-        .monitor = options->monitor, .swap_interval = options->swap_interval, .user = &moving};
-    int status = STATUS_FAILED;
+    struct window_wishes wishes = {.monitor = options->monitor,
+                                   .swap_interval = options->swap_interval,
+                                   .frames = options->frames};
+    struct viewer_feed *feed = NULL;
+    int status;
 
     if (options->windowed) {
         wishes.width = options->width > 0 ? options->width : output->width_px;
         wishes.height = options->height > 0 ? options->height : output->height_px;
     }
-    if (options->osc || options->frames > 0)
+    if (options->osc) {
+        feed = listen_to_tracker(options, tool, message);
+        if (!feed)
+            return STATUS_FAILED;
         wishes.before_frame = before_frame;
-    if (listen_to_tracker(options, tool, &moving, message))
-        status = window_run(tool, &wishes, message);
-    viewer_feed_destroy(moving.feed);
+        wishes.user = feed;
+    }
+    status = window_run(tool, &wishes, message);
+    viewer_feed_destroy(feed);
     return status;
 }
 

@@ -270,26 +270,32 @@ static bool frame(struct window *window, char *message)
     return true;
 }
 
+/* Where nothing changes, for a while: a tracker's reports must not wait long, nor keep it busy. */
+static void rest(struct window *window, const struct window_wishes *wishes)
+{
+    if (wishes->frames > 0 || has_changed(window))
+        glfwPollEvents();
+    else
+        glfwWaitEventsTimeout(wishes->before_frame ? 0.004 : 0.1);
+    window->tool->time_s = glfwGetTime();
+}
+
 static bool loop(struct window *window, const struct window_wishes *wishes, char *message)
 {
-    const double rest_s = 0.1; /* how long nothing may happen */
+    int left = wishes->frames;
 
     while (!window->tool->ends) {
-        if (wishes->before_frame) {
-            glfwPollEvents();
-            window->tool->time_s = glfwGetTime();
-            wishes->before_frame(window->tool, wishes->user);
-        } else if (!has_changed(window)) {
-            glfwWaitEventsTimeout(rest_s);
-        } else {
-            glfwPollEvents();
-        }
-        window->tool->time_s = glfwGetTime();
+        rest(window, wishes);
         if (glfwWindowShouldClose(window->handle))
             break;
+        if (wishes->before_frame)
+            wishes->before_frame(window->tool, wishes->user);
         tool_idle(window->tool);
+        window->dirty |= left > 0;
         if (has_changed(window) && !frame(window, message))
             return false;
+        if (left > 0 && --left == 0)
+            break;
     }
     return true;
 }

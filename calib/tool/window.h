@@ -8,8 +8,9 @@ struct window_wishes {
     int monitor;       /* index, 0: the primary one */
     int width, height; /* of a window; 0: the whole monitor */
     int swap_interval; /* 0: as fast as it can */
-    /* Called before every frame, for an eye that a tracker moves; NULL: nothing moves by itself and
-     * a frame is drawn only where something has changed. */
+    int frames;        /* so many are drawn, whether anything has changed or not; 0: no end */
+    /* Called before every frame and some hundred times a second, for an eye that a tracker moves;
+     * NULL: nothing moves by itself. A frame is drawn only where something has changed. */
     void (*before_frame)(struct tool *tool, void *user);
     void *user;
 };
