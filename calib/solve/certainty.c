@@ -13,7 +13,7 @@
 
 static const double degree = 3.14159265358979323846 / 180;
 
-/* Beyond this a value is worth nothing, in the value's scaled unit; a fifth of it is worth a word. */
+/* Beyond this sd a value is worth nothing, in its scaled unit; from a fifth of it on it is weak. */
 static double limit(enum model_value value)
 {
     switch (value) {

@@ -13,7 +13,8 @@ bool consensus_find(struct model *model, double *error_px);
 /*
  * From there to least squares over all marks that are not wrong, and which those are. A mark
  * is wrong whose residual, in the solution without it and with its noise as the others show it,
- * would be met in one of 500 clean sets of marks. The model keeps the weights. False without memory.
+ * would be met in one of 500 clean sets of marks. The model keeps the
+ * weights. False without memory.
  */
 bool consensus_settle(struct model *model, double error_px, double *weights, bool *rejected);
 

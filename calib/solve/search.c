@@ -131,7 +131,8 @@ static void align(const struct sight *sights, const int *subset, int count, stru
 
 /*
  * One step of Gauss and Newton over the differences between direction and ray. A small rotation w
- * changes a direction v by v x w, a move m of the lens in its own frame by (v (v.m) - m) / distance.
+ * changes a direction v by v x w, a move m of the lens in its own frame by
+ * (v (v.m) - m) / distance.
  */
 static bool step(const struct search *search, const int *subset, int count, struct pose *pose)
 {

@@ -227,12 +227,29 @@ static void measure_radius(struct solving *solving)
     }
 }
 
+static void warn_of_pixels(struct solving *solving)
+{
+    const struct cupola_output *output = &solving->model.base.output;
+    const struct marks *marks = solving->request->marks;
+    int outside = 0;
+
+    for (int i = 0; i < marks->count; i++) {
+        const double *pixel = marks->list[i].pixel_px;
+        outside += pixel[0] < 0 || pixel[1] < 0 || pixel[0] > output->width_px ||
+                   pixel[1] > output->height_px;
+    }
+    if (outside > 0)
+        warn(solving->result, "%d of %d marks have pixels outside of the projector's %dx%d",
+             outside, marks->count, output->width_px, output->height_px);
+}
+
 static void warn_all(struct solving *solving, const struct certainty *certainty)
 {
     struct solve_result *result = solving->result;
     int at = 0, all = solving->request->marks->count;
     const char *name;
 
+    warn_of_pixels(solving);
     while ((name = certainty_weak(&solving->model, certainty, &at)))
         warn(result, "the marks tell %s only roughly: see its sd", name);
     if (5 * result->rejected > all)
