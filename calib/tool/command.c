@@ -244,8 +244,8 @@ static int run(const struct tool_options *options, char *message)
     if (status != STATUS_OK)
         return status;
     status = begin(options, &tool, message);
-    if (status == STATUS_OK && tool.warning[0])
-        complain("", STATUS_OK, tool.warning);
+    if (status == STATUS_OK && (tool.warning[0] || tool.notice[0]))
+        complain("", STATUS_OK, tool.warning[0] ? tool.warning : tool.notice);
     if (status == STATUS_OK)
         status = options->script || options->picture || options->headless
                      ? run_without_window(options, &tool, message)

@@ -197,6 +197,17 @@ static void flip(struct tool *tool, int bit)
     tool_set(tool, PARAMETER_FLIP, tool->rig.outputs[tool->output].flip ^ bit);
 }
 
+/* Commands about the marks. */
+static void run_marks(struct tool *tool, enum command command)
+{
+    if (command == COMMAND_ACCEPT)
+        marks_walk_accept(tool);
+    else if (command == COMMAND_FORGET)
+        marks_walk_forget(tool);
+    else
+        marks_walk_solve(tool);
+}
+
 static void run(struct tool *tool, const struct key_binding *binding)
 {
     switch (binding->command) {
@@ -225,28 +236,14 @@ static void run(struct tool *tool, const struct key_binding *binding)
     case COMMAND_SAVE:
         tool_save(tool, tool->rig_path);
         break;
-    case COMMAND_ACCEPT:
-        marks_walk_accept(tool);
-        break;
-    case COMMAND_FORGET:
-        marks_walk_forget(tool);
-        break;
-    case COMMAND_SOLVE:
-        marks_walk_solve(tool);
-        break;
     case COMMAND_QUIT:
         quit(tool);
         break;
-    case COMMAND_BEFORE:
-    case COMMAND_HELP:
-    case COMMAND_LEGEND:
-    case COMMAND_LABELS:
-    case COMMAND_TEXT:
-    case COMMAND_PREVIEW:
-    case COMMAND_FULLSCREEN:
-    case COMMAND_PICTURE:
-        show(tool, binding->command);
-        break;
+    default:
+        if (binding->command >= COMMAND_ACCEPT)
+            run_marks(tool, binding->command);
+        else
+            show(tool, binding->command);
     }
 }
 

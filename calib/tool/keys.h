@@ -25,10 +25,10 @@ enum command {
     COMMAND_PREVIEW,
     COMMAND_FULLSCREEN,
     COMMAND_PICTURE,
-    COMMAND_ACCEPT,
+    COMMAND_QUIT,
+    COMMAND_ACCEPT, /* and what follows: about the marks */
     COMMAND_FORGET,
     COMMAND_SOLVE,
-    COMMAND_QUIT,
 };
 
 struct key_binding {

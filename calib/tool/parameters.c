@@ -50,9 +50,9 @@ static const struct parameter_info infos[PARAMETER_COUNT] = {
 };
 
 /* In long double, so that 120 degrees stay 120. */
-static double to_deg(double angle_rad)
+static double to_deg(double raw)
 {
-    return (double)(angle_rad * (180 / 3.14159265358979323846264338327950288L));
+    return (double)((long double)raw * (180 / 3.14159265358979323846264338327950288L));
 }
 
 static double to_rad(double angle_deg)

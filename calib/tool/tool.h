@@ -25,7 +25,7 @@ enum pattern {
     PATTERN_WEDGES,    /* for resolution and focus */
     PATTERN_RAMPS,     /* colours and greys */
     PATTERN_RIM,       /* rim of the screen, image circle, frame of the image */
-    PATTERN_DOT,       /* one dot, steered by the arrow keys */
+    PATTERN_DOT,       /* one dot, steered by group dot */
     PATTERN_COUNT
 };
 

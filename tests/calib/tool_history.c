@@ -85,30 +85,31 @@ static void a_change_that_changes_nothing_is_no_step(void **state)
     tool_close(&tool);
 }
 
+static const struct {
+    enum parameter parameter;
+    double value;
+    const char *says;
+} impossible[] = {
+    {PARAMETER_PROJECTOR_X, 2, "inside of the screen"},
+    {PARAMETER_VIEWER_Z, -1, "inside of the screen"},
+    {PARAMETER_FOV, 0, "above 0"},
+    {PARAMETER_FOV, 500, "360"},
+    {PARAMETER_SCREEN_RADIUS, 0, "above 0"},
+    {PARAMETER_CIRCLE_RADIUS, 0, "above 0"},
+    {PARAMETER_CIRCLE_X, 1e6, "outside of the frame buffer"},
+    {PARAMETER_CAP, 181, "180"},
+    {PARAMETER_LENS, CUPOLA_LENS_TABLE, "samples"},
+    {PARAMETER_LENS, 17, "a lens that exists"},
+    {PARAMETER_FLIP, 1.5, "0 (none)"},
+    {PARAMETER_YAW, 361, "360"},
+    {PARAMETER_YAW, (double)NAN, "finite"},
+    {PARAMETER_DOT_SIZE, 91, "90"},
+    {PARAMETER_CROSS_X, 1025, "0 to 1024"},
+    {PARAMETER_MARK, 1, "no marks"},
+};
+
 static void an_impossible_value_changes_nothing_and_says_why(void **state)
 {
-    static const struct {
-        enum parameter parameter;
-        double value;
-        const char *says;
-    } impossible[] = {
-        {PARAMETER_PROJECTOR_X, 2, "inside of the screen"},
-        {PARAMETER_VIEWER_Z, -1, "inside of the screen"},
-        {PARAMETER_FOV, 0, "above 0"},
-        {PARAMETER_FOV, 500, "360"},
-        {PARAMETER_SCREEN_RADIUS, 0, "above 0"},
-        {PARAMETER_CIRCLE_RADIUS, 0, "above 0"},
-        {PARAMETER_CIRCLE_X, 1e6, "outside of the frame buffer"},
-        {PARAMETER_CAP, 181, "180"},
-        {PARAMETER_LENS, CUPOLA_LENS_TABLE, "samples"},
-        {PARAMETER_LENS, 17, "a lens that exists"},
-        {PARAMETER_FLIP, 1.5, "0 (none)"},
-        {PARAMETER_YAW, 361, "360"},
-        {PARAMETER_YAW, (double)NAN, "finite"},
-        {PARAMETER_DOT_SIZE, 91, "90"},
-        {PARAMETER_CROSS_X, 1025, "0 to 1024"},
-        {PARAMETER_MARK, 1, "no marks"},
-    };
     struct tool tool;
     struct values before, after;
 
