@@ -208,16 +208,15 @@ static bool find_plane(const struct cupola_rig *rig, const struct dome_label *la
     return true;
 }
 
-/* The pixel of a place on a plane, also beyond the rim. */
-static bool pixel_of(const struct cupola_rig *rig, int output, const struct plane *plane, double x,
-                     double y, double pixel[2])
+/* The point of the screen that is seen at a place on a plane. */
+static void point_at(const struct cupola_rig *rig, const struct plane *plane, double x, double y,
+                     double point[3])
 {
-    double ray[3], point[3], along = 0, eye2 = 0, t;
+    double ray[3], along = 0, eye2 = 0, t;
 
     for (int i = 0; i < 3; i++)
         ray[i] = plane->axes[6 + i] + x * plane->axes[i] + y * plane->axes[3 + i];
-    if (!normalise(ray))
-        return false;
+    normalise(ray);
     for (int i = 0; i < 3; i++) {
         along += ray[i] * rig->eye_m[i];
         eye2 += rig->eye_m[i] * rig->eye_m[i];
@@ -225,7 +224,6 @@ static bool pixel_of(const struct cupola_rig *rig, int output, const struct plan
     t = -along + sqrt(along * along - eye2 + rig->screen.radius_m * rig->screen.radius_m);
     for (int i = 0; i < 3; i++)
         point[i] = rig->eye_m[i] + t * ray[i];
-    return cupola_output_pixel(&rig->outputs[output], point, pixel, NULL) >= 0;
 }
 
 /* The pixels that can show a plane's rectangle. False: none of the image. */
@@ -233,19 +231,21 @@ static bool find_box(const struct cupola_rig *rig, int output, const struct plan
                      int box[4])
 {
     const struct cupola_output *size = &rig->outputs[output];
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+    double points_m[3 * SAMPLES * SAMPLES], pixels[2 * SAMPLES * SAMPLES];
     const int most[2] = {size->width_px, size->height_px};
 
     for (int k = 0; k < SAMPLES * SAMPLES; k++) {
         double across = (double)(k % SAMPLES) / (SAMPLES - 1);
-        double up = (double)(k / SAMPLES) / (SAMPLES - 1), pixel[2];
-        if (!pixel_of(rig, output, plane, plane->corner[0] + across * plane->size[0],
-                      plane->corner[1] + up * plane->size[1], pixel))
-            return false;
-        for (int i = 0; i < 2; i++) {
-            low[i] = fmin(low[i], pixel[i]);
-            high[i] = fmax(high[i], pixel[i]);
-        }
+        double up = (double)(k / SAMPLES) / (SAMPLES - 1);
+        point_at(rig, plane, plane->corner[0] + across * plane->size[0],
+                 plane->corner[1] + up * plane->size[1], points_m + 3 * k);
+    }
+    if (cupola_output_pixels(size, SAMPLES * SAMPLES, points_m, pixels, NULL) < 0)
+        return false;
+    for (int k = 0; k < 2 * SAMPLES * SAMPLES; k++) {
+        low[k % 2] = fmin(low[k % 2], pixels[k]);
+        high[k % 2] = fmax(high[k % 2], pixels[k]);
     }
     for (int i = 0; i < 2; i++) {
         /* Edges are curved between the samples. */

@@ -43,7 +43,7 @@ void pattern_frame(const struct tool *tool, const struct cupola_rig *rig,
 double pattern_star_spacing_rad(const struct cupola_rig *rig)
 {
     /* The outermost stars, of 7.2 degrees, lie within the screen. */
-    return (fmin(rig->screen.cap_rad, 90 * RADIANS) - 8 * RADIANS) / 3;
+    return fmax(fmin(rig->screen.cap_rad, 90 * RADIANS) - 8 * RADIANS, 24 * RADIANS) / 3;
 }
 
 void pattern_dot(const struct tool *tool, double direction[3])

@@ -1,15 +1,10 @@
-/* What of a picture moves with the viewer and what does not, where text is, and the preview. */
+/* What of a picture moves with the viewer and what does not, what is dark, and the preview. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <epoxy/gl.h>
-
-#include <cupola/points.h>
-
 #include "check.h"
 #include "stage_fixture.h"
-#include "tool/dome_text.h"
 
 enum { SIZE = 512, HEIGHT = 3 * SIZE / 4 };
 
@@ -93,127 +88,6 @@ static void nothing_is_lit_outside_of_lens_and_screen(void **state)
     check_at_least(outside, 1000);
     cupola_dome_destroy(&dome);
     stage_fixture_release(&fixture);
-}
-
-/* Where the ink of one label is, seen by the viewer: right and up of its direction, radians. */
-struct ink {
-    double sum, across, up, across_low, across_high, up_low, up_high;
-};
-
-static struct ink measure(const unsigned char *image, const cupola_dome *dome,
-                          const double direction[3])
-{
-    double flat = hypot(direction[0], direction[2]);
-    const double right[3] = {-direction[2] / flat, 0, direction[0] / flat};
-    const double up[3] = {right[1] * direction[2] - right[2] * direction[1],
-                          right[2] * direction[0] - right[0] * direction[2],
-                          right[0] * direction[1] - right[1] * direction[0]};
-    struct ink ink = {0, 0, 0, 9, -9, 9, -9};
-    struct cupola_ray ray;
-
-    for (int k = 0; k < SIZE * HEIGHT; k++) {
-        double light = stage_light(image[4 * k]), x = 0, y = 0;
-        if (!(light > 0) ||
-            cupola_dome_ray(dome, 0, NULL, k % SIZE + 0.5, k / SIZE + 0.5, &ray) != 1)
-            continue;
-        for (int i = 0; i < 3; i++) {
-            x += right[i] * ray.direction[i];
-            y += up[i] * ray.direction[i];
-        }
-        light *= ray.solid_angle_sr;
-        ink.sum += light;
-        ink.across += light * x;
-        ink.up += light * y;
-        ink.across_low = fmin(ink.across_low, x);
-        ink.across_high = fmax(ink.across_high, x);
-        ink.up_low = fmin(ink.up_low, y);
-        ink.up_high = fmax(ink.up_high, y);
-    }
-    ink.across /= ink.sum;
-    ink.up /= ink.sum;
-    return ink;
-}
-
-/* Draws one label alone. */
-static unsigned char *draw_label(const struct cupola_rig *rig, const cupola_dome *dome,
-                                 const struct dome_label *label)
-{
-    char message[MESSAGE_SIZE];
-    struct dome_text *text = dome_text_create(message);
-    cupola_points *points = NULL;
-    struct target target;
-    unsigned char *image = malloc((size_t)SIZE * HEIGHT * 4);
-
-    if (!text || !target_create(&target, SIZE, HEIGHT, TARGET_SRGB, message, MESSAGE_SIZE))
-        fail_msg("%s", message);
-    assert_non_null(image);
-    assert_int_equal(cupola_points_create(dome, 0, &points, NULL), CUPOLA_OK);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glViewport(0, 0, SIZE, HEIGHT);
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    dome_text_draw(text, rig, 0, cupola_points_texture(points), label);
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glReadPixels(0, 0, SIZE, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, image);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    cupola_points_destroy(&points);
-    target_destroy(&target);
-    dome_text_destroy(text);
-    return image;
-}
-
-static void check_label(uint64_t seed)
-{
-    struct cupola_rig rig;
-    cupola_dome *dome = NULL;
-    struct cupola_ray ray;
-    struct dome_label label = {.unit_rad = 0.008, .ink = {1, 1, 1}};
-    double per_px, x, y;
-    unsigned char *image;
-    struct ink ink;
-
-    stage_random_rig(&seed, SIZE, &rig);
-    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
-    x = rig.outputs[0].circle.center_x_px + random_between(&seed, -70, 70);
-    y = rig.outputs[0].circle.center_y_px + random_between(&seed, -70, 70);
-    assert_int_equal(cupola_dome_ray(dome, 0, NULL, x, y, &ray), 1);
-    memcpy(label.direction, ray.direction, sizeof label.direction);
-    per_px = sqrt(ray.solid_angle_sr);
-    /* As high as wide in ink: its middle is the direction. */
-    label.text = "H";
-    dome_label_anchor(&label, 0, 0);
-    image = draw_label(&rig, dome, &label);
-    ink = measure(image, dome, label.direction);
-    check_near(ink.across, 0, 0.5 * label.unit_rad + 0.5 * per_px);
-    check_near(ink.up, 0, 0.5 * label.unit_rad + 0.5 * per_px);
-    check_near(ink.up_high - ink.up_low, 7 * label.unit_rad, 0.6 * label.unit_rad + 2.5 * per_px);
-    free(image);
-    /* Upright and not mirrored: an L has its weight at the left and below. */
-    label.text = "L";
-    dome_label_anchor(&label, 0, 0);
-    image = draw_label(&rig, dome, &label);
-    ink = measure(image, dome, label.direction);
-    check_at_most(ink.across - 0.5 * (ink.across_low + ink.across_high), -0.5 * label.unit_rad);
-    check_at_most(ink.up - 0.5 * (ink.up_low + ink.up_high), -0.5 * label.unit_rad);
-    free(image);
-    /* Beside its direction on the side that was wished. */
-    dome_label_anchor(&label, 1, -1);
-    image = draw_label(&rig, dome, &label);
-    ink = measure(image, dome, label.direction);
-    check_at_least(ink.across_low, 0);
-    check_at_most(ink.up_high, 0);
-    free(image);
-    cupola_dome_destroy(&dome);
-}
-
-static void labels_are_upright_at_their_direction(void **state)
-{
-    (void)state;
-    for (uint64_t seed = 20; seed < 30; seed++) {
-        print_message("seed %d\n", (int)seed);
-        check_label(seed);
-    }
 }
 
 /* How much of the eye's preview is as a grid seen directly. */
@@ -303,14 +177,59 @@ static void a_window_of_the_images_size_shows_its_pixels(void **state)
     stage_fixture_release(&fixture);
 }
 
+/* Sizes, lenses and text that nobody wants but somebody has. */
+static void whatever_is_possible_is_drawn(void **state)
+{
+    static const struct cupola_rig rigs[] = {
+        {.outputs = {{.width_px = 1, .height_px = 1}}},
+        {.outputs = {{.width_px = 2000, .height_px = 3}}, .tilt_rad = 3},
+        {.screen = {1e-6, 1e-3}, .outputs = {{.width_px = 64, .height_px = 64}}},
+        {.screen = {1000, 3},
+         .outputs = {{.width_px = 64, .height_px = 64, .lens = {.fov_rad = 6.28}}}},
+        {.outputs = {{.width_px = 64, .height_px = 64, .circle = {32, 32, 1e-6}}}},
+        {.outputs = {{.width_px = 64,
+                      .height_px = 64,
+                      .circle = {32, 32, 1e6},
+                      .lens = {.fov_rad = 1e-6}}}},
+        {.output_count = 2,
+         .outputs = {{.width_px = 64, .height_px = 48}, {.width_px = 100, .height_px = 31}}},
+    };
+    static char name[MARK_NAME_MAX + 1] = "\xff %s \n a name";
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rigs / sizeof *rigs; i++) {
+        struct cupola_rig rig;
+        struct stage_fixture fixture;
+        struct mark mark = {.steered = true};
+        assert_int_equal(cupola_rig_complete(&rigs[i], &rig, NULL), CUPOLA_OK);
+        stage_fixture_make(&fixture, &rig);
+        memcpy(mark.name, name, sizeof name);
+        fixture.tool.marks = (struct marks){.list = &mark, .count = 1};
+        fixture.tool.group = GROUP_MARKS;
+        fixture.tool.output = rig.output_count - 1;
+        fixture.tool.shows_labels = fixture.tool.shows_legend = true;
+        memset(fixture.tool.warning, 'W', 700);
+        for (int k = 0; k < 4 * PATTERN_COUNT; k++) {
+            fixture.tool.pattern = (enum pattern)(k / 4);
+            fixture.tool.about = (enum about)(k % 2);
+            fixture.tool.text_on_dome = k % 4 > 1;
+            fixture.tool.shows_help = k % 4 == 3;
+            fixture.tool.preview = (enum preview)(k % PREVIEW_COUNT);
+            free(stage_fixture_frame(&fixture, k % 3 == 0 ? 1 : 90, k % 5 == 0 ? 1 : 60));
+        }
+        fixture.tool.marks = (struct marks){0};
+        stage_fixture_release(&fixture);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_about_the_dome_stays_where_it_is_for_every_viewer),
         cmocka_unit_test(nothing_is_lit_outside_of_lens_and_screen),
-        cmocka_unit_test(labels_are_upright_at_their_direction),
         cmocka_unit_test(the_preview_shows_a_straight_grid_where_the_theatre_is_the_rig),
         cmocka_unit_test(a_window_of_the_images_size_shows_its_pixels),
+        cmocka_unit_test(whatever_is_possible_is_drawn),
     };
 
     return cmocka_run_group_tests_name("calib-stage_scenes", tests, stage_context_open,

@@ -3,6 +3,7 @@
 Every wait is for something that must appear, so a slow machine only takes longer.
 """
 
+import contextlib
 import glob
 import os
 import re
@@ -130,9 +131,24 @@ def drive(tool):
         sys.exit("failed: Escape does not end it")
 
 
+@contextlib.contextmanager
+def display():
+    """A display of its own, whose number the server finds: two at a time take two."""
+    reading, writing = os.pipe()
+    with subprocess.Popen(["Xvfb", "-displayfd", str(writing), "-screen", "0", "1024x700x24"],
+                          pass_fds=[writing], stderr=subprocess.DEVNULL) as server:
+        os.close(writing)
+        with os.fdopen(reading) as number:
+            os.environ["DISPLAY"] = ":" + number.readline().strip()
+        try:
+            yield
+        finally:
+            server.terminate()
+
+
 def main():
     calib = os.path.abspath(sys.argv[1])
-    with tempfile.TemporaryDirectory() as folder:
+    with display(), tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         with subprocess.Popen([calib, "--preset", "visionstation", "--windowed", "640x480",
                                "--output", "out.cfg", "--fresh"]) as tool:

@@ -1,0 +1,188 @@
+/* Text on the dome and over the window. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <epoxy/gl.h>
+
+#include <cupola/points.h>
+
+#include "check.h"
+#include "stage_fixture.h"
+#include "tool/dome_text.h"
+
+enum { SIZE = 512, HEIGHT = 3 * SIZE / 4 };
+
+/* Where the ink of one label is, seen by the viewer: right and up of its direction, radians. */
+struct ink {
+    double sum, across, up, across_low, across_high, up_low, up_high;
+};
+
+static struct ink measure(const unsigned char *image, const cupola_dome *dome,
+                          const double direction[3])
+{
+    double flat = hypot(direction[0], direction[2]);
+    const double right[3] = {-direction[2] / flat, 0, direction[0] / flat};
+    const double up[3] = {right[1] * direction[2] - right[2] * direction[1],
+                          right[2] * direction[0] - right[0] * direction[2],
+                          right[0] * direction[1] - right[1] * direction[0]};
+    struct ink ink = {0, 0, 0, 9, -9, 9, -9};
+    struct cupola_ray ray;
+
+    for (int k = 0; k < SIZE * HEIGHT; k++) {
+        double light = stage_light(image[4 * k]), x = 0, y = 0;
+        if (!(light > 0) ||
+            cupola_dome_ray(dome, 0, NULL, k % SIZE + 0.5, k / SIZE + 0.5, &ray) != 1)
+            continue;
+        for (int i = 0; i < 3; i++) {
+            x += right[i] * ray.direction[i];
+            y += up[i] * ray.direction[i];
+        }
+        light *= ray.solid_angle_sr;
+        ink.sum += light;
+        ink.across += light * x;
+        ink.up += light * y;
+        ink.across_low = fmin(ink.across_low, x);
+        ink.across_high = fmax(ink.across_high, x);
+        ink.up_low = fmin(ink.up_low, y);
+        ink.up_high = fmax(ink.up_high, y);
+    }
+    ink.across /= ink.sum;
+    ink.up /= ink.sum;
+    return ink;
+}
+
+/* Draws one label alone. */
+static unsigned char *draw_label(const struct cupola_rig *rig, const cupola_dome *dome,
+                                 const struct dome_label *label)
+{
+    char message[MESSAGE_SIZE];
+    struct dome_text *text = dome_text_create(message);
+    cupola_points *points = NULL;
+    struct target target;
+    unsigned char *image = malloc((size_t)SIZE * HEIGHT * 4);
+
+    if (!text || !target_create(&target, SIZE, HEIGHT, TARGET_SRGB, message, MESSAGE_SIZE))
+        fail_msg("%s", message);
+    assert_non_null(image);
+    assert_int_equal(cupola_points_create(dome, 0, &points, NULL), CUPOLA_OK);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    glViewport(0, 0, SIZE, HEIGHT);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    dome_text_draw(text, rig, 0, cupola_points_texture(points), label);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glReadPixels(0, 0, SIZE, HEIGHT, GL_RGBA, GL_UNSIGNED_BYTE, image);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    cupola_points_destroy(&points);
+    target_destroy(&target);
+    dome_text_destroy(text);
+    return image;
+}
+
+static void check_label(uint64_t seed)
+{
+    struct cupola_rig rig;
+    cupola_dome *dome = NULL;
+    struct cupola_ray ray;
+    struct dome_label label = {.unit_rad = 0.008, .ink = {1, 1, 1}};
+    double per_px, x, y;
+    unsigned char *image;
+    struct ink ink;
+
+    stage_random_rig(&seed, SIZE, &rig);
+    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
+    x = rig.outputs[0].circle.center_x_px + random_between(&seed, -70, 70);
+    y = rig.outputs[0].circle.center_y_px + random_between(&seed, -70, 70);
+    assert_int_equal(cupola_dome_ray(dome, 0, NULL, x, y, &ray), 1);
+    memcpy(label.direction, ray.direction, sizeof label.direction);
+    per_px = sqrt(ray.solid_angle_sr);
+    /* As high as wide in ink: its middle is the direction. */
+    label.text = "H";
+    dome_label_anchor(&label, 0, 0);
+    image = draw_label(&rig, dome, &label);
+    ink = measure(image, dome, label.direction);
+    check_near(ink.across, 0, 0.5 * label.unit_rad + 0.5 * per_px);
+    check_near(ink.up, 0, 0.5 * label.unit_rad + 0.5 * per_px);
+    check_near(ink.up_high - ink.up_low, 7 * label.unit_rad, 0.6 * label.unit_rad + 2.5 * per_px);
+    free(image);
+    /* Upright and not mirrored: an L has its weight at the left and below. */
+    label.text = "L";
+    dome_label_anchor(&label, 0, 0);
+    image = draw_label(&rig, dome, &label);
+    ink = measure(image, dome, label.direction);
+    check_at_most(ink.across - 0.5 * (ink.across_low + ink.across_high), -0.5 * label.unit_rad);
+    check_at_most(ink.up - 0.5 * (ink.up_low + ink.up_high), -0.5 * label.unit_rad);
+    free(image);
+    /* Beside its direction on the side that was wished. */
+    dome_label_anchor(&label, 1, -1);
+    image = draw_label(&rig, dome, &label);
+    ink = measure(image, dome, label.direction);
+    check_at_least(ink.across_low, 0);
+    check_at_most(ink.up_high, 0);
+    free(image);
+    cupola_dome_destroy(&dome);
+}
+
+static void labels_are_upright_at_their_direction(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 20; seed < 30; seed++) {
+        print_message("seed %d\n", (int)seed);
+        check_label(seed);
+    }
+}
+
+static int count_red(const unsigned char *bytes, int pixels)
+{
+    int red = 0;
+
+    for (int k = 0; k < pixels; k++)
+        red += bytes[4 * k] > 150 && bytes[4 * k + 1] < 120 && bytes[4 * k + 2] < 120;
+    return red;
+}
+
+static void warnings_are_red_plain_and_on_the_dome(void **state)
+{
+    struct cupola_rig rig = {.eye_m = {0, 0.1, 0.2}};
+    struct stage_fixture fixture;
+
+    (void)state;
+    rig.outputs[0].width_px = SIZE;
+    rig.outputs[0].height_px = HEIGHT;
+    assert_int_equal(cupola_rig_complete(&rig, &rig, NULL), CUPOLA_OK);
+    stage_fixture_make(&fixture, &rig);
+    fixture.tool.pattern = PATTERN_DOT;
+    for (int on_dome = 0; on_dome < 2; on_dome++) {
+        unsigned char *frame, *image;
+        fixture.tool.text_on_dome = on_dome != 0;
+        strcpy(fixture.tool.warning, "cap: 400 degrees are not allowed; allowed: up to 180");
+        frame = stage_fixture_frame(&fixture, 640, 480);
+        image = stage_fixture_image(&fixture);
+        check_at_least(count_red(frame, 640 * 480), 200);
+        /* Plain text is the window's: the projector throws it only if it lies on the dome. */
+        if (on_dome)
+            check_at_least(count_red(image, SIZE * HEIGHT), 200);
+        else
+            assert_int_equal(count_red(image, SIZE * HEIGHT), 0);
+        free(frame);
+        free(image);
+        fixture.tool.warning[0] = 0;
+        frame = stage_fixture_frame(&fixture, 640, 480);
+        assert_int_equal(count_red(frame, 640 * 480), 0);
+        free(frame);
+    }
+    stage_fixture_release(&fixture);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(labels_are_upright_at_their_direction),
+        cmocka_unit_test(warnings_are_red_plain_and_on_the_dome),
+    };
+
+    return cmocka_run_group_tests_name("calib-stage_text", tests, stage_context_open,
+                                       stage_context_close);
+}
