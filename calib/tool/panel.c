@@ -80,6 +80,16 @@ static void write_legend(const struct tool *tool, struct panel *panel)
     add_line(panel, "file", text, "");
 }
 
+/* The values belong to what is seen. */
+static void write_shown_legend(const struct tool *tool, struct panel *panel)
+{
+    struct tool shown = *tool;
+
+    if (tool->shows_before)
+        shown.rig = tool->before;
+    write_legend(&shown, panel);
+}
+
 static void write_help(struct panel *panel)
 {
     struct key_line line;
@@ -118,7 +128,7 @@ void panel_write(const struct tool *tool, enum panel_place place, int width, str
 {
     memset(panel, 0, sizeof *panel);
     if (place == PANEL_LEGEND && tool->shows_legend)
-        write_legend(tool, panel);
+        write_shown_legend(tool, panel);
     else if (place == PANEL_HELP && tool->shows_help)
         write_help(panel);
     else if (place == PANEL_WARNING)
