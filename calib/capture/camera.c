@@ -7,8 +7,8 @@
 
 #include <cupola/projection.h>
 
-#include "capture/turn.h"
 #include "option_values.h"
+#include "solve/rotation.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -103,18 +103,18 @@ void camera_aim(struct camera *camera, double tilt_rad, const struct cupola_aim 
 {
     double untilt[9], turn[9];
 
-    turn_about_x(-tilt_rad, untilt);
-    turn_of_aim(aim, turn);
-    turn_multiply(untilt, turn, camera->rotation);
+    rotation_from_aim(&(struct cupola_aim){.pitch_rad = -tilt_rad}, untilt);
+    rotation_from_aim(aim, turn);
+    rotation_multiply(untilt, turn, camera->rotation);
 }
 
 void camera_aim_of(const struct camera *camera, double tilt_rad, struct cupola_aim *aim)
 {
     double tilt[9], turn[9];
 
-    turn_about_x(tilt_rad, tilt);
-    turn_multiply(tilt, camera->rotation, turn);
-    turn_to_aim(turn, aim);
+    rotation_from_aim(&(struct cupola_aim){.pitch_rad = tilt_rad}, tilt);
+    rotation_multiply(tilt, camera->rotation, turn);
+    rotation_to_aim(turn, aim);
 }
 
 /* In the camera's own frame, any length. */

@@ -10,8 +10,8 @@
 #include <cminpack-1/cminpack.h>
 
 #include "capture/pose_model.h"
-#include "capture/turn.h"
 #include "option_values.h"
+#include "solve/rotation.h"
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
@@ -259,7 +259,7 @@ static void describe(struct fit *fit, struct pose_result *result)
     result->projector = request->rig->outputs[request->output];
     pose_model_apply(&fit->model, fit->numbers, &result->camera, result->projector.position_m,
                      turn);
-    turn_to_aim(turn, &result->projector.aim);
+    rotation_to_aim(turn, &result->projector.aim);
     result->camera_position_sd_m = largest(fit->sd + POSE_CAMERA_POSITION);
     result->camera_aim_sd_rad = largest(fit->sd + POSE_CAMERA_TURN);
     result->projector_position_sd_m = largest(fit->sd + POSE_PROJECTOR_POSITION);

@@ -6,7 +6,7 @@
 
 #include <cupola/projection.h>
 
-#include "capture/turn.h"
+#include "solve/rotation.h"
 
 /* Patches are averages; what is left is the lens's own error. References are pointed at by hand. */
 static const double patch_sd_px = 0.1, reference_sd_px = 0.5;
@@ -25,7 +25,7 @@ void pose_model_begin(const struct pose_request *request, const bool *rejected,
     *model = (struct pose_model){.request = request, .rejected = rejected, .lens = *output};
     memset(model->lens.position_m, 0, sizeof model->lens.position_m);
     model->lens.aim = (struct cupola_aim){0};
-    turn_of_aim(&output->aim, model->start_projector);
+    rotation_from_aim(&output->aim, model->start_projector);
     if (request->free & POSE_POSITION)
         add_unknowns(model, POSE_CAMERA_POSITION, 3);
     if (request->free & POSE_AIM)
@@ -51,8 +51,8 @@ void pose_model_apply(const struct pose_model *model, const double *numbers, str
     for (int i = 0; i < model->unknown_count; i++)
         all[model->unknowns[i]] = numbers[i];
     *camera = *request->camera;
-    turn_about_vector(all + POSE_CAMERA_TURN, turn);
-    turn_multiply(request->camera->rotation, turn, camera->rotation);
+    rotation_from_vector(all + POSE_CAMERA_TURN, turn);
+    rotation_multiply(request->camera->rotation, turn, camera->rotation);
     for (int i = 0; i < 3; i++) {
         camera->position_m[i] += all[POSE_CAMERA_POSITION + i];
         projector_m[i] =
@@ -64,8 +64,8 @@ void pose_model_apply(const struct pose_model *model, const double *numbers, str
             fmin(fmax(camera->fisheye.lens.fov_rad + all[POSE_CAMERA_FOV], 0.01), 6.28);
     camera->center_px[0] += all[POSE_CAMERA_CENTER];
     camera->center_px[1] += all[POSE_CAMERA_CENTER + 1];
-    turn_about_vector(all + POSE_PROJECTOR_TURN, turn);
-    turn_multiply(model->start_projector, turn, projector_turn);
+    rotation_from_vector(all + POSE_PROJECTOR_TURN, turn);
+    rotation_multiply(model->start_projector, turn, projector_turn);
 }
 
 static void patch_residual(const struct pose_model *model, const struct patch *patch,
