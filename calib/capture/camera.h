@@ -27,8 +27,8 @@ struct camera {
 };
 
 /*
- * "rectilinear:FOV", "equirectangular" or "MODEL[:FOV]" of a lens, degrees, as `kind`, `fov_rad` and
- * the fisheye's lens. False with one line in `message`, MESSAGE_SIZE bytes, that begins with
+ * "rectilinear:FOV", "equirectangular" or "MODEL[:FOV]" of a lens, degrees, as `kind`, `fov_rad`
+ * and the fisheye's lens. False with one line in `message`, MESSAGE_SIZE bytes, that begins with
  * `option`.
  */
 bool camera_parse(const char *option, const char *text, struct camera *camera, char *message);

@@ -1,4 +1,4 @@
-/* The folder of a series: its pictures, photographs of them, and the text that says what they are. */
+/* The folder of a series: pictures, photographs of them, the text that says what they are. */
 #ifndef FOLDER_H
 #define FOLDER_H
 

@@ -1,6 +1,6 @@
 /*
- * Photographs of a simulated theatre: what a camera would take of the patterns, with all that spoils
- * photographs, so that everything can be tried without a theatre.
+ * Photographs of a simulated theatre: what a camera would take of the patterns, with all that
+ * spoils photographs, so that everything can be tried without a theatre.
  */
 #ifndef SIMULATE_H
 #define SIMULATE_H
