@@ -1,10 +1,10 @@
-/* Undo and redo: one array, made once. */
+/* Undo and redo: one array that grows as far as it may and can, and then forgets its oldest steps. */
 #include "tool/history.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { FORGOTTEN_AT_ONCE = HISTORY_STEPS_MAX / 10 };
+enum { STEPS_AT_FIRST = 32 };
 
 /* Changes of one value that follow each other this closely are one step. */
 static const double moment_s = 1;
@@ -13,15 +13,23 @@ struct history {
     struct values start; /* before the first step that is still known */
     int count;
     int position; /* how many of them are done */
-    struct change steps[HISTORY_STEPS_MAX];
+    int room;
+    struct change *steps;
 };
 
 struct history *history_create(const struct values *start)
 {
     struct history *history = malloc(sizeof *history);
 
-    if (history)
-        history_restart(history, start);
+    if (!history)
+        return NULL;
+    history->room = STEPS_AT_FIRST;
+    history->steps = malloc(STEPS_AT_FIRST * sizeof *history->steps);
+    if (!history->steps) {
+        free(history);
+        return NULL;
+    }
+    history_restart(history, start);
     return history;
 }
 
@@ -33,11 +41,16 @@ void history_restart(struct history *history, const struct values *start)
 
 void history_destroy(struct history *history)
 {
+    if (history)
+        free(history->steps);
     free(history);
 }
 
-static void forget(struct history *history, int steps)
+/* A tenth at once, so that not every step moves all others. */
+static void forget(struct history *history)
 {
+    int steps = (history->count + 9) / 10;
+
     history->start = history->steps[steps - 1].values;
     history->count -= steps;
     history->position -= steps;
@@ -45,11 +58,25 @@ static void forget(struct history *history, int steps)
             (size_t)history->count * sizeof *history->steps);
 }
 
+static bool grow(struct history *history)
+{
+    int room = 2 * history->room < HISTORY_STEPS_MAX ? 2 * history->room : HISTORY_STEPS_MAX;
+    struct change *more = NULL;
+
+    if (room > history->room)
+        more = realloc(history->steps, (size_t)room * sizeof *more);
+    if (!more)
+        return false;
+    history->steps = more;
+    history->room = room;
+    return true;
+}
+
 void history_push(struct history *history, const struct change *change)
 {
     history->count = history->position;
-    if (history->count == HISTORY_STEPS_MAX)
-        forget(history, FORGOTTEN_AT_ONCE);
+    if (history->count == history->room && !grow(history))
+        forget(history);
     history->steps[history->count++] = *change;
     history->position = history->count;
 }

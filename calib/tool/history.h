@@ -26,7 +26,7 @@ struct change {
 
 struct history;
 
-/* NULL without memory; after that nothing more is allocated. */
+/* NULL without memory. Where there is none later, the oldest steps are forgotten early. */
 struct history *history_create(const struct values *start);
 void history_destroy(struct history *history);
 

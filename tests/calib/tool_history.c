@@ -1,5 +1,16 @@
 /* History: what is one step, how many there may be, and what is lost. */
+#include <sys/resource.h>
+#include <sys/wait.h>
+
 #include "tool_fixture.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define SANITIZED true
+#elif defined(__has_feature)
+#define SANITIZED __has_feature(address_sanitizer)
+#else
+#define SANITIZED false
+#endif
 
 static void open_plain(struct tool *tool)
 {
@@ -154,6 +165,36 @@ static void memory_is_bounded_and_the_newest_steps_stay(void **state)
     tool_close(&tool);
 }
 
+static void without_memory_the_oldest_steps_are_forgotten(void **state)
+{
+    const struct rlimit none = {0, 0};
+    struct tool tool;
+    pid_t process;
+    int status;
+
+    (void)state;
+    if (SANITIZED) /* it needs memory itself */
+        skip();
+    open_plain(&tool);
+    process = fork();
+    assert_true(process >= 0);
+    if (process == 0) {
+        bool good = setrlimit(RLIMIT_AS, &none) == 0;
+        for (int i = 1; i <= 5000; i++) {
+            tool.time_s += 2;
+            good = good && tool_set(&tool, PARAMETER_YAW, 1e-2 * i);
+        }
+        status = history_undo_count(tool.history);
+        tool_undo(&tool);
+        good = good && status >= 20 && status < 5000;
+        good = good && fabs(parameter_get(&tool, PARAMETER_YAW) - 49.99) < 1e-9;
+        _exit(good ? 0 : 1);
+    }
+    assert_int_equal(waitpid(process, &status, 0), process);
+    assert_int_equal(status, 0);
+    tool_close(&tool);
+}
+
 static void the_next_lens_takes_a_field_of_view_that_it_can(void **state)
 {
     struct tool tool;
@@ -188,6 +229,7 @@ int main(void)
         cmocka_unit_test(a_change_that_changes_nothing_is_no_step),
         cmocka_unit_test(an_impossible_value_changes_nothing_and_says_why),
         cmocka_unit_test(memory_is_bounded_and_the_newest_steps_stay),
+        cmocka_unit_test(without_memory_the_oldest_steps_are_forgotten),
         cmocka_unit_test(the_next_lens_takes_a_field_of_view_that_it_can),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
