@@ -83,11 +83,20 @@ void overlay_destroy(struct overlay *overlay)
     free(overlay);
 }
 
+/* What the font does not know, such as half of a file's name in another script, becomes '?'. */
+static void copy_text(char copy[TEXT_MAX], const char *text)
+{
+    snprintf(copy, TEXT_MAX, "%s", text);
+    for (char *at = copy; *at; at++)
+        if (*at != '\n' && (*at < ' ' || *at > '~'))
+            *at = '?';
+}
+
 void overlay_size(const char *text, double scale, double *width, double *height)
 {
     char copy[TEXT_MAX];
 
-    snprintf(copy, sizeof copy, "%s", text);
+    copy_text(copy, text);
     *width = scale * (stb_easy_font_width(copy) + 2 * MARGIN);
     *height = scale * (stb_easy_font_height(copy) + 2 * MARGIN);
 }
@@ -114,7 +123,7 @@ void overlay_text(struct overlay *overlay, const struct overlay_place *place, co
 
     if (place->ink)
         memcpy(ink, place->ink, sizeof ink);
-    snprintf(copy, sizeof copy, "%s", text);
+    copy_text(copy, text);
     overlay_size(copy, 1, &ground_width, &ground_height);
     write_ground(overlay, ground_width, ground_height);
     quads = 1 + stb_easy_font_print(MARGIN, MARGIN, copy, ink, overlay->quads + 4 * VERTEX_BYTES,

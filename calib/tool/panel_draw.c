@@ -107,7 +107,7 @@ static void draw(struct overlay *overlay, const struct tool *tool, enum panel_pl
         most = fmax(most, up);
         sum += widths[i];
     }
-    place.x = what == PANEL_LEGEND ? 4 : (place.width - sum) / 2;
+    place.x = what == PANEL_LEGEND ? 4 : fmax(4, (place.width - sum) / 2);
     place.y = what == PANEL_LEGEND || what == PANEL_HELP ? 4 : place.height - most - 4;
     if (what == PANEL_WARNING && *tool->notice)
         place.y -= 22 * place.scale; /* above the notice */

@@ -106,6 +106,12 @@ static void check_label(uint64_t seed)
     check_near(ink.across, 0, 0.5 * label.unit_rad + 0.5 * per_px);
     check_near(ink.up, 0, 0.5 * label.unit_rad + 0.5 * per_px);
     check_near(ink.up_high - ink.up_low, 7 * label.unit_rad, 0.6 * label.unit_rad + 2.5 * per_px);
+    /* Had it been drawn four pixels further right, this would say so. */
+    for (int i = 0; i < 3; i++)
+        label.direction[i] += 4 * ray.direction_dx[i];
+    ink = measure(image, dome, label.direction);
+    check_at_least(hypot(ink.across, ink.up), 0.5 * label.unit_rad + 0.5 * per_px);
+    memcpy(label.direction, ray.direction, sizeof label.direction);
     free(image);
     /* Upright and not mirrored: an L has its weight at the left and below. */
     label.text = "L";
