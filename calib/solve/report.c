@@ -124,15 +124,18 @@ static const char *worst_name(const struct solve_request *request,
 static void write_rejected(FILE *file, const struct solve_request *request,
                            const struct solve_result *result)
 {
+    enum { NAMES_MAX = 30 };
     int named = 0;
 
     if (result->rejected == 0)
         return;
     fputs("rejected as wrong: ", file);
-    for (int i = 0; i < request->marks->count; i++) {
+    for (int i = 0; i < request->marks->count && named < NAMES_MAX; i++) {
         if (result->marks[i].rejected)
             fprintf(file, "%s%s", named++ ? ", " : "", request->marks->list[i].name);
     }
+    if (named < result->rejected)
+        fprintf(file, " and %d more (--json names all)", result->rejected - named);
     fputc('\n', file);
 }
 

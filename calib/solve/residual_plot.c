@@ -18,7 +18,7 @@
 
 static const double pi = 3.14159265358979323846, degrees = 180 / 3.14159265358979323846;
 
-enum { SIZE = 1000, LEGEND = 110, MARGIN = 40, WAYS = 720 };
+enum { SIZE = 1000, LEGEND = 110, MARGIN = 40, WAYS = 720, NAMES_MAX = 30 };
 
 struct plot {
     cairo_t *cairo;
@@ -188,7 +188,7 @@ static void draw_mark(const struct plot *plot, int index)
     draw_arrow(plot->cairo, from, to);
     cairo_arc(plot->cairo, from[0], from[1], 3.5, 0, 2 * pi);
     cairo_fill(plot->cairo);
-    if (rejected)
+    if (rejected && plot->result->rejected <= NAMES_MAX)
         plot_text(plot->cairo, plot->request->marks->list[index].name, from[0] + 7, from[1] - 5,
                   color);
 }
