@@ -7,9 +7,9 @@
 struct latency_wishes {
     int size_px;
     int frames;
-    bool
-        predicted; /* by the filter's defaults, to when the frame is done; else each report as it is */
-    bool control; /* the eye is not handed on: no frame may be proven that has another */
+    bool predicted; /* by the filter's defaults, to when the frame is done; else each report as it
+                     * is */
+    bool control;   /* the eye is not handed on: no frame may be proven that has another */
     double rate_hz, flood_hz;
 };
 

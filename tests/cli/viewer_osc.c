@@ -69,24 +69,30 @@ static void check_counts(const struct line *line, const struct viewer_osc_counts
     assert_int_equal(counts->others, expected->others);
 }
 
+/*
+ * By the kernel, and not 50 ms later by the poll. The kernel begins to keep time for sockets a
+ * little after it was told to: the first reports may be as young as the poll.
+ */
 static void what_comes_is_dated_by_its_arrival(void **state)
 {
     (void)state;
     struct line line = opened();
-    double before_s, after_s;
+    bool was_dated = false;
 
     viewer_osc_poll(line.osc, &line.viewer); /* nothing there: nothing waits */
     check_counts(&line, &(struct viewer_osc_counts){0});
-    before_s = viewer_osc_now_s();
-    send_report(&line, 0.5f);
-    after_s = viewer_osc_now_s();
-    usleep(50000);
-    viewer_osc_poll(line.osc, &line.viewer);
-    check_counts(&line, &(struct viewer_osc_counts){.packets = 1, .taken = 1});
-    check_near(line.viewer.position_m[0], 0.5, 0);
-    /* by the kernel, before the poll */
-    check_at_least(line.viewer.time_s, before_s - 1e-3);
-    check_at_most(line.viewer.time_s, after_s + 0.03);
+    for (int i = 1; i <= 50 && !was_dated; i++) {
+        double before_s = viewer_osc_now_s();
+        send_report(&line, 0.5f);
+        double after_s = viewer_osc_now_s();
+        usleep(50000);
+        viewer_osc_poll(line.osc, &line.viewer);
+        check_counts(&line, &(struct viewer_osc_counts){.packets = i, .taken = i});
+        check_near(line.viewer.position_m[0], 0.5, 0);
+        check_at_least(line.viewer.time_s, before_s - 1e-3);
+        was_dated = line.viewer.time_s <= after_s + 0.03;
+    }
+    assert_true(was_dated);
     closed(&line);
 }
 

@@ -32,7 +32,7 @@ struct cupola_viewer_params {
     /* Of the screen, or of the sphere in which the eye may move (head_radius_m of plan.h); above 0,
      * up to 1e6. */
     double radius_m;
-    /* The eye is kept inside of this part of radius_m round center_m; above 0 and below 1. 0: 0.9 */
+    /* The eye is kept inside of this part of radius_m round center_m, between 0 and 1. 0: 0.9 */
     double reach;
     /* Dome frame; up to 1e6 each. The screen's is 0, a head's sphere has the rig's eye. */
     double center_m[3];
