@@ -5,7 +5,6 @@
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "option_values.h"
@@ -96,9 +95,12 @@ size_t journal_line_print(char *line, long number, const struct journal_text *te
 
 bool journal_line_check(const char *line, size_t length, long *number, struct journal_text *text)
 {
-    enum { TAIL = 18 }; /* " #" and the checksum */
-    char tail[TAIL + 2], *end;
-    size_t start;
+    enum {
+        TAIL = 18,             /* " #" and the checksum */
+        NUMBER_DIGITS_MAX = 9, /* whatever a long holds */
+    };
+    char tail[TAIL + 2];
+    size_t digits = 0;
 
     if (length <= TAIL || length >= JOURNAL_TEXT_MAX + 40 || *line < '1' || *line > '9' ||
         memchr(line, '\0', length))
@@ -107,13 +109,16 @@ bool journal_line_check(const char *line, size_t length, long *number, struct jo
     snprintf(tail, sizeof tail, " #%016llx", checksum(line, length));
     if (memcmp(tail, line + length, TAIL) != 0)
         return false;
-    *number = strtol(line, &end, 10);
-    start = (size_t)(end - line) + 1;
-    if (*end != ' ' || start >= length || length - start >= sizeof text->text)
+    for (*number = 0; digits < length && line[digits] >= '0' && line[digits] <= '9'; digits++) {
+        if (digits == NUMBER_DIGITS_MAX)
+            return false;
+        *number = 10 * *number + (line[digits] - '0');
+    }
+    if (digits + 1 >= length || line[digits] != ' ' || length - digits - 1 >= sizeof text->text)
         return false;
-    text->length = length - start;
+    text->length = length - digits - 1;
     text->full = false;
-    memcpy(text->text, line + start, text->length);
+    memcpy(text->text, line + digits + 1, text->length);
     text->text[text->length] = '\0';
     return true;
 }

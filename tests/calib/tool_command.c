@@ -122,8 +122,8 @@ static void a_script_keeps_a_journal_only_if_asked(void **state)
 static void two_programs_cannot_share_a_rig(void **state)
 {
     (void)state;
-    check_run("mkfifo lines; \"$C\" --output t.cfg --script - --journal <lines & exec 9>lines;"
-              "while ! test -s t.cfg.journal; do sleep 0.01; done;"
+    check_run("mkfifo lines; \"$C\" --output t.cfg --script - --journal <lines & exec 9<>lines;"
+              "for i in $(seq 2000); do test -s t.cfg.journal && break; sleep 0.01; done;"
               "\"$C\" --output t.cfg --script - --journal </dev/null; status=$?;"
               "exec 9>&-; wait; exit $status",
               1, "in use");
@@ -134,8 +134,9 @@ static void killed_it_goes_on_where_it_was(void **state)
     (void)state;
     check_run(
         "mkfifo keys; \"$C\" --output k.cfg --script - --journal <keys & process=$!;"
-        "exec 9>keys; printf 'set yaw_deg 7\\nset pitch_deg 3\\n' >&9;"
-        "while ! grep -q '^[0-9]* change 14' k.cfg.journal 2>/dev/null; do sleep 0.01; done;"
+        "exec 9<>keys; printf 'set yaw_deg 7\\nset pitch_deg 3\\n' >&9;"
+        "for i in $(seq 2000); do grep -q '^[0-9]* change 14' k.cfg.journal 2>/dev/null && "
+        "break; sleep 0.01; done;"
         "kill -9 $process; wait $process; exec 9>&-;"
         "printf 'expect yaw_deg 7\\nexpect pitch_deg 3\\nkey ctrl+Z\\nexpect pitch_deg 0\\n' |"
         "\"$C\" --output k.cfg --script - --journal",
