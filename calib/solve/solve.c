@@ -15,7 +15,8 @@
 
 /* Everything on the way from a request to its result. */
 struct solving {
-    const struct solve_request *request;
+    struct solve_request request; /* its start complete */
+    struct cupola_rig start;
     struct solve_result *result;
     struct model model;
     bool *rejected;
@@ -55,15 +56,17 @@ warn(struct solve_result *result, const char *format, ...)
 
 static bool begin(struct solving *solving)
 {
-    const struct solve_request *request = solving->request;
+    const struct solve_request *request = &solving->request;
     int every =
         SOLVE_CIRCLE | SOLVE_CIRCLE_RADIUS | SOLVE_LENS | SOLVE_POSITION | SOLVE_AIM | SOLVE_RADIUS;
     int free = request->free ? request->free : SOLVE_POSITION | SOLVE_AIM;
     struct cupola_error error = {0};
 
     *solving->result = (struct solve_result){.rig = *request->start, .free = free};
-    if (cupola_rig_complete(request->start, &solving->result->rig, &error) < 0)
+    if (cupola_rig_complete(request->start, &solving->start, &error) < 0)
         return refuse(solving, "%s", error.message);
+    solving->result->rig = solving->start;
+    solving->request.start = &solving->start;
     if (request->output < 0 || request->output >= solving->result->rig.output_count)
         return refuse(solving, "projector %d is not in the rig; allowed: 0 to %d", request->output,
                       solving->result->rig.output_count - 1);
@@ -100,7 +103,7 @@ static bool better_mirrored(const struct solving *solving, struct model *best, d
         double error_px;
         if (turns && other != CUPOLA_FLIP_X)
             continue;
-        model_begin(&trial, solving->request, solving->model.free);
+        model_begin(&trial, &solving->request, solving->model.free);
         trial.base.output.flip = flip ^ other;
         if (!consensus_find(&trial, &error_px) || !(error_px < *best_px))
             continue;
@@ -119,7 +122,7 @@ static bool find(struct solving *solving)
         return refuse(solving, "the marks fit nowhere: no position and aim lead to their pixels");
     if (!(solving->error_px > poor_px) || !better_mirrored(solving, &mirrored, &mirrored_px))
         return true;
-    if (!solving->request->flips)
+    if (!solving->request.flips)
         return refuse(solving,
                       "the marks fit %.3g times better with the picture mirrored otherwise, flip "
                       "\"%s\" instead of \"%s\"; allowed: that flip in the rig, or --flips",
@@ -137,7 +140,7 @@ static void keep_residuals(struct solving *solving)
 {
     struct solve_result *result = solving->result;
     double sum = 0;
-    int kept = 0, all = solving->request->marks->count;
+    int kept = 0, all = solving->request.marks->count;
 
     for (int i = 0; i < all; i++) {
         struct solve_mark *mark = &result->marks[i];
@@ -160,7 +163,7 @@ static void keep_residuals(struct solving *solving)
 /* Half of the marks and less are no majority. */
 static bool settle(struct solving *solving)
 {
-    int all = solving->request->marks->count;
+    int all = solving->request.marks->count;
 
     if (!consensus_settle(&solving->model, solving->error_px, solving->weights, solving->rejected))
         return refuse(solving, "the marks lead to no solution, or memory is short");
@@ -186,7 +189,7 @@ static bool check_certainty(const struct solving *solving, const struct certaint
     struct arrangement arrangement;
     const char *hint = "more marks, over all that the projector lights, or fewer free values";
 
-    arrangement_measure(solving->request->marks, solving->rejected, &arrangement);
+    arrangement_measure(solving->request.marks, solving->rejected, &arrangement);
     if (arrangement.off_circle_rad < circle_rad)
         hint = "marks aside of the one circle on which all of these lie";
     if (!certainty_suffices(&solving->model, certainty, hint, solving->message))
@@ -197,7 +200,7 @@ static bool check_certainty(const struct solving *solving, const struct certaint
 /* Points lie on the screen: their distances from its centre are its radius. */
 static void measure_radius(struct solving *solving)
 {
-    const struct marks *marks = solving->request->marks;
+    const struct marks *marks = solving->request.marks;
     struct solve_result *result = solving->result;
     double sum = 0, squares = 0;
     int kept = 0;
@@ -230,7 +233,7 @@ static void measure_radius(struct solving *solving)
 static void warn_of_pixels(struct solving *solving)
 {
     const struct cupola_output *output = &solving->model.base.output;
-    const struct marks *marks = solving->request->marks;
+    const struct marks *marks = solving->request.marks;
     int outside = 0;
 
     for (int i = 0; i < marks->count; i++) {
@@ -246,7 +249,7 @@ static void warn_of_pixels(struct solving *solving)
 static void warn_all(struct solving *solving, const struct certainty *certainty)
 {
     struct solve_result *result = solving->result;
-    int at = 0, all = solving->request->marks->count;
+    int at = 0, all = solving->request.marks->count;
     const char *name;
 
     warn_of_pixels(solving);
@@ -269,16 +272,16 @@ static bool finish(struct solving *solving)
     struct cupola_error error = {0};
 
     if (!certainty_find(&solving->model, solving->rejected, &certainty))
-        return refuse(solving, "out of memory for %d marks", solving->request->marks->count);
+        return refuse(solving, "out of memory for %d marks", solving->request.marks->count);
     if (!check_certainty(solving, &certainty))
         return false;
-    result->rig.outputs[solving->request->output] = solving->model.base.output;
+    result->rig.outputs[solving->request.output] = solving->model.base.output;
     result->rig.screen.radius_m = solving->model.base.radius_m;
-    if (solving->request->marks->kind == MARKS_POINTS)
+    if (solving->request.marks->kind == MARKS_POINTS)
         measure_radius(solving);
     if (cupola_rig_complete(&result->rig, &result->rig, &error) < 0)
         return refuse(solving, "the marks lead to an impossible rig: %s", error.message);
-    if (!certainty_report(&solving->model, &certainty, result, solving->request->output))
+    if (!certainty_report(&solving->model, &certainty, result, solving->request.output))
         return refuse(solving, "out of memory");
     warn_all(solving, &certainty);
     return true;
@@ -286,7 +289,7 @@ static bool finish(struct solving *solving)
 
 bool solve(const struct solve_request *request, struct solve_result *result, char *message)
 {
-    struct solving solving = {.request = request, .result = result, .message = message};
+    struct solving solving = {.request = *request, .result = result, .message = message};
     bool solved = begin(&solving) && find(&solving) && settle(&solving) && finish(&solving);
 
     free(solving.rejected);

@@ -20,7 +20,7 @@ enum solve_free {
 };
 
 struct solve_request {
-    const struct cupola_rig *start; /* complete */
+    const struct cupola_rig *start; /* 0 means the default in every member */
     int output;                     /* index of the projector */
     const struct marks *marks;      /* each with a pixel */
     int free;                       /* of enum solve_free; 0: position and aim */

@@ -214,7 +214,7 @@ static char rubbish(uint64_t *seed)
 
     return random_between(seed, 0, 1) < 0.5
                ? telling[(size_t)random_between(seed, 0, sizeof telling - 1)]
-               : (char)random_between(seed, 0, 256);
+               : (char)(int)random_between(seed, -128, 128);
 }
 
 static void rubbish_is_refused_in_one_line_or_read(void **state)

@@ -236,6 +236,8 @@ static void wrong_marks_are_all_found(void **state)
 {
     (void)state;
     check_run(&(struct run){"3 wrong marks", POSE, .wrong = 3}, 1.5);
+    check_run(&(struct run){"circle, lens, 3 wrong", POSE | SOLVE_CIRCLE | SOLVE_LENS, .wrong = 3},
+              1.5);
 }
 
 static void small_deliberate_errors_are_noticed(void **state)

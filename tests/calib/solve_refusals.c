@@ -112,6 +112,8 @@ static void too_few(void **state)
     expect_refused(&scene, POSE | SOLVE_CIRCLE | SOLVE_LENS, "allowed: 6 at least");
     add(&scene, 40, 10);
     expect_solved(&scene, POSE, "their sd are rough");
+    scene.rig.outputs[0].circle = (struct cupola_circle){0}; /* its default, as before */
+    expect_solved(&scene, POSE, "their sd are rough");
 }
 
 static void all_on_one_meridian(void **state)
@@ -228,6 +230,70 @@ static void an_opening_at_its_limit_is_known_only_roughly(void **state)
     expect_solved(&scene, POSE, NULL);
 }
 
+static void random_lens(uint64_t *seed, struct cupola_lens *lens)
+{
+    lens->model = (enum cupola_lens_model)(int)random_between(seed, 0, 6);
+    lens->fov_rad = random_between(seed, 0.3, 3.1);
+    if (lens->model == CUPOLA_LENS_POLYNOMIAL)
+        memcpy(lens->k, (double[]){0, 1, random_between(seed, -0.05, 0.1), 0}, sizeof lens->k);
+    if (lens->model != CUPOLA_LENS_TABLE)
+        return;
+    lens->table_count = 3;
+    for (int i = 0; i < 3; i++)
+        lens->table[i] =
+            (struct cupola_lens_sample){0.6 * (i + 1), i + random_between(seed, 0.5, 1)};
+}
+
+/* Half of them from a theatre, half of them anything. */
+static void random_marks(uint64_t *seed, struct scene *scene)
+{
+    int count = (int)random_between(seed, 0, MOST);
+
+    for (int i = 0; i < count; i++) {
+        struct mark *mark = &scene->list[i];
+        add(scene, random_between(seed, 0, 120), random_between(seed, 0, 360));
+        if (random_between(seed, 0, 1) < 0.5)
+            continue;
+        for (int k = 0; k < 2; k++)
+            mark->pixel_px[k] =
+                random_between(seed, 0, 1) < 0.1 ? 1e7 : random_between(seed, -500, 1500);
+        if (random_between(seed, 0, 1) < 0.1)
+            memcpy(mark->place, scene->list[0].place, sizeof mark->place);
+    }
+    scene->marks.kind = random_between(seed, 0, 1) < 0.5 ? MARKS_POINTS : MARKS_DIRECTIONS;
+}
+
+static void whatever_comes_is_solved_or_refused_in_one_line(void **state)
+{
+    int solved = 0;
+
+    (void)state;
+    for (uint64_t i = 0; i < 400; i++) {
+        struct scene scene;
+        struct solve_result result;
+        char message[MESSAGE_SIZE] = "";
+        uint64_t seed = i;
+        begin(&scene);
+        random_marks(&seed, &scene);
+        random_lens(&seed, &scene.rig.outputs[0].lens);
+        scene.rig.outputs[0].flip = (int)random_between(&seed, 0, 4);
+        const struct solve_request request = {
+            &scene.rig, 0, &scene.marks, (int)random_between(&seed, 0, 64), .flips = i % 3 == 0};
+        if (!solve(&request, &result, message)) {
+            assert_true(*message && !strchr(message, '\n'));
+            assert_null(result.marks);
+            continue;
+        }
+        solved++;
+        assert_int_equal(cupola_rig_complete(&result.rig, NULL, NULL), CUPOLA_OK);
+        assert_true(isfinite(result.rms_px) && isfinite(result.worst_direction_sd_rad));
+        assert_in_range(result.rejected, 0, scene.marks.count / 2);
+        solve_result_free(&result);
+    }
+    print_message("%d of 400 solved\n", solved);
+    assert_in_range(solved, 10, 300);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -240,6 +306,7 @@ int main(void)
         cmocka_unit_test(a_mirrored_picture_is_named),
         cmocka_unit_test(a_projector_outside_of_the_screen),
         cmocka_unit_test(an_opening_at_its_limit_is_known_only_roughly),
+        cmocka_unit_test(whatever_comes_is_solved_or_refused_in_one_line),
     };
 
     return cmocka_run_group_tests_name("solve_refusals", tests, NULL, NULL);
