@@ -167,7 +167,8 @@ static void quit(struct tool *tool)
     tool->asked_to_quit = true;
     if (!tool->ends)
         snprintf(tool->notice, MESSAGE_SIZE,
-                 "there are unsaved changes: S saves, Esc once more quits without saving");
+                 "there are unsaved changes: S saves, Esc once more quits without saving%s",
+                 tool->journal ? "; the journal keeps them" : "");
 }
 
 static void show(struct tool *tool, enum command command)
