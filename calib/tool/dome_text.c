@@ -85,6 +85,23 @@ void dome_text_size(const char *text, double *width, double *height)
     *height = up;
 }
 
+static double length_of(const double v[3])
+{
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+double dome_pixel_rad(const cupola_dome *dome, int output, const double direction[3])
+{
+    const struct cupola_circle *circle = &cupola_dome_rig(dome)->outputs[output].circle;
+    double pixel[2] = {circle->center_x_px, circle->center_y_px};
+    struct cupola_ray ray;
+
+    cupola_dome_pixel(dome, output, NULL, direction, pixel);
+    if (cupola_dome_ray(dome, output, NULL, pixel[0], pixel[1], &ray) < 0)
+        return 0;
+    return fmax(length_of(ray.direction_dx), length_of(ray.direction_dy));
+}
+
 void dome_label_anchor(struct dome_label *label, int across, int up)
 {
     const double gap = 2;
@@ -167,7 +184,7 @@ static void cross(const double a[3], const double b[3], double product[3])
 
 static bool normalise(double v[3])
 {
-    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    double length = length_of(v);
 
     for (int i = 0; i < 3; i++)
         v[i] /= length;

@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-#include <cupola/rig.h>
+#include <cupola/dome.h>
 
 enum { DOME_LABEL_TEXT = 2000 /* bytes */ };
 
@@ -31,6 +31,12 @@ void dome_text_destroy(struct dome_text *text);
 
 /* Of a text, in units of its letters; 0 for one that cannot be drawn. */
 void dome_text_size(const char *text, double *width, double *height);
+
+/*
+ * How wide a pixel is for the viewer, in this direction of the host's camera frame; where nothing is
+ * lit there, in the middle of the image circle.
+ */
+double dome_pixel_rad(const cupola_dome *dome, int output, const double direction[3]);
 
 /*
  * Puts a label beside its direction: -1, 0, 1 are left or below, on, right or above; 0, 0 puts its

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include <cupola/dome.h>
+
 #include "tool/panel.h"
 
 static const double RADIANS = 3.14159265358979323846 / 180;
@@ -13,7 +15,7 @@ enum { GAP = 6 /* between columns on the dome, units of the letters */ };
 static const struct {
     unsigned char ink[4];
     float light[3];    /* the same on the dome */
-    double pitch_deg;  /* on the dome */
+    double pitch_deg;  /* on the dome, from where it is read */
     double hangs;      /* how much of it is below: 1 all, 0.5 one half, 0 nothing */
     double widest_rad; /* what would be larger on the dome is drawn smaller */
     double highest_rad;
@@ -40,19 +42,19 @@ static double measure_columns(const struct panel *panel, double widths[PANEL_COL
 }
 
 /* Columns side by side, level with each other. */
-static void draw_on_dome(struct dome_text *text, const struct tool *tool,
-                         const struct cupola_rig *rig, unsigned int points, double unit_rad,
-                         enum panel_place place)
+static void draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,
+                         unsigned int points, double raised_deg, enum panel_place place)
 {
-    double pitch = looks[place].pitch_deg * RADIANS, widths[PANEL_COLUMNS], height, own, sum, x;
-    struct dome_label label = {
-        .direction = {0, sin(pitch), -cos(pitch)}, .unit_rad = unit_rad, .ground = 0.8f};
+    double pitch = (looks[place].pitch_deg + raised_deg) * RADIANS, widths[PANEL_COLUMNS], height,
+           own, sum, x;
+    struct dome_label label = {.direction = {0, sin(pitch), -cos(pitch)}, .ground = 0.8f};
     struct panel panel;
 
     panel_write(tool, place, 44, &panel);
     sum = measure_columns(&panel, widths, &height);
     memcpy(label.ink, looks[place].light, sizeof label.ink);
-    label.unit_rad = fmin(label.unit_rad, looks[place].widest_rad / fmax(sum, 1));
+    label.unit_rad = fmin(1.4 * dome_pixel_rad(dome, tool->output, label.direction),
+                          looks[place].widest_rad / fmax(sum, 1));
     label.unit_rad = fmin(label.unit_rad, looks[place].highest_rad / fmax(height, 1));
     x = -0.5 * sum;
     for (int i = 0; i < panel.columns; i++) {
@@ -60,18 +62,46 @@ static void draw_on_dome(struct dome_text *text, const struct tool *tool,
         label.text = panel.text[i];
         label.corner[0] = x;
         label.corner[1] = height * (1 - looks[place].hangs) - own;
-        dome_text_draw(text, rig, tool->output, points, &label);
+        dome_text_draw(text, cupola_dome_rig(dome), tool->output, points, &label);
         x += widths[i] + GAP;
     }
 }
 
-void panels_draw_on_dome(struct dome_text *text, const struct tool *tool,
-                         const struct cupola_rig *rig, unsigned int points, double per_px_rad)
+static bool is_lit(const cupola_dome *dome, int output, double yaw_deg, double pitch_deg)
+{
+    double yaw = yaw_deg * RADIANS, pitch = pitch_deg * RADIANS, pixel[2];
+    const double direction[3] = {-cos(pitch) * sin(yaw), sin(pitch), -cos(pitch) * cos(yaw)};
+
+    return cupola_dome_pixel(dome, output, NULL, direction, pixel) == 1;
+}
+
+/*
+ * How far above straight ahead text is read: as little as it takes for all from `low` to `high`
+ * round there to be lit, since a planetarium has nothing below the horizon; else where the dome's
+ * axis is.
+ */
+static double find_raised_deg(const cupola_dome *dome, int output, double low_deg, double high_deg)
+{
+    const double side_deg = 25, step_deg = 5;
+
+    for (double up = 0; up <= 90; up += step_deg)
+        if (is_lit(dome, output, 0, up + low_deg) && is_lit(dome, output, 0, up + high_deg) &&
+            is_lit(dome, output, side_deg, up + low_deg) &&
+            is_lit(dome, output, -side_deg, up + low_deg))
+            return up;
+    return cupola_dome_rig(dome)->tilt_rad / RADIANS;
+}
+
+void panels_draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,
+                         unsigned int points)
 {
     /* The help needs all the room there is. */
+    double low_deg = -40, high_deg = tool->shows_help ? 35 : 18;
+    double raised_deg = find_raised_deg(dome, tool->output, low_deg, high_deg);
+
     for (int place = 0; place < PANELS; place++)
         if (!tool->shows_help || place == PANEL_HELP)
-            draw_on_dome(text, tool, rig, points, 1.4 * per_px_rad, (enum panel_place)place);
+            draw_on_dome(text, tool, dome, points, raised_deg, (enum panel_place)place);
 }
 
 /* The largest letters, in halves, with which a panel fits. */

@@ -10,11 +10,8 @@
 void panels_draw(struct overlay *overlay, const struct tool *tool, unsigned int framebuffer,
                  int width, int height);
 
-/*
- * On the dome, into the framebuffer that is bound, as dome_text_draw does it. A pixel in the middle
- * of the image is `per_px_rad` wide.
- */
-void panels_draw_on_dome(struct dome_text *text, const struct tool *tool,
-                         const struct cupola_rig *rig, unsigned int points, double per_px_rad);
+/* On the dome of the rig that is shown, into the framebuffer that is bound, as dome_text_draw. */
+void panels_draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,
+                         unsigned int points);
 
 #endif

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cupola/dome.h>
@@ -19,9 +20,9 @@ static const float white[3] = {0.9f, 0.9f, 0.9f}, yellow[3] = {0.9f, 0.7f, 0.2f}
 /* What is under way. */
 struct list {
     const struct tool *tool;
-    const struct cupola_rig *rig;
+    const cupola_dome *dome;
+    const struct cupola_rig *rig; /* the dome's */
     struct pattern_frame frame;
-    double unit_rad;
     struct pattern_labels *labels;
 };
 
@@ -60,9 +61,9 @@ __attribute__((format(printf, 5, 6))) static void put(struct list *list, const d
     va_start(arguments, format);
     vsnprintf(labels->texts[labels->count], PATTERN_LABEL_TEXT, format, arguments);
     va_end(arguments);
-    *label = (struct dome_label){
-        .text = labels->texts[labels->count], .unit_rad = list->unit_rad, .ground = 0.8f};
+    *label = (struct dome_label){.text = labels->texts[labels->count], .ground = 0.8f};
     direction_of(list, v, label->direction);
+    label->unit_rad = pattern_label_unit_rad(list->dome, list->tool->output, label->direction);
     memcpy(label->ink, ink, sizeof label->ink);
     dome_label_anchor(label, side.across, side.up);
     labels->count++;
@@ -104,6 +105,11 @@ static void label_viewer_grid(struct list *list)
         for (int up = -60; up <= 60; up += 30)
             if (up != 0)
                 put(list, above_horizon(left, up, v), beside, left ? white : blue, "%+d", up);
+    /* Where the horizon is not lit. */
+    for (int left = -150; left <= 150; left += 30)
+        if (left % 90 != 0)
+            put(list, above_horizon(left, 30, v), beside, yellow, "%d %c", abs(left),
+                left > 0 ? 'L' : 'R');
     put(list, above_horizon(0, 90, v), (struct side){0, 0}, white, "zenith");
 }
 
@@ -176,13 +182,14 @@ static void label_star(struct list *list, double off_deg, double round_deg)
         put(list, v, (struct side){0, 0}, inks[i], "%d", 1 << i);
         label = &list->labels->list[list->labels->count - 1];
         label->corner[0] = (i - 2) * 10 + 1;
-        label->corner[1] = -9 * RADIANS / list->unit_rad - 6;
+        label->corner[1] = -9 * RADIANS / label->unit_rad - 6;
     }
 }
 
 static void label_wedges(struct list *list)
 {
     double spacing_deg = pattern_star_spacing_rad(list->rig) / RADIANS, v[3];
+    struct dome_label *last;
 
     label_star(list, 0, 0);
     for (int round = 0; round < 360; round += 90)
@@ -190,7 +197,8 @@ static void label_wedges(struct list *list)
             label_star(list, ring * spacing_deg, round);
     /* Under the numbers of the one in the middle. */
     put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "cycles per degree");
-    list->labels->list[list->labels->count - 1].corner[1] = -9 * RADIANS / list->unit_rad - 19;
+    last = &list->labels->list[list->labels->count - 1];
+    last->corner[1] = -9 * RADIANS / last->unit_rad - 19;
 }
 
 static void label_steps(struct list *list, double up_deg, int first, int step)
@@ -215,12 +223,9 @@ static void label_rim(struct list *list)
     const struct cupola_output *output = &list->rig->outputs[list->tool->output];
     const struct cupola_circle *circle = &output->circle;
     const double in_px = 0.1 * circle->radius_px;
-    cupola_dome *dome = NULL;
     struct cupola_ray ray;
     struct pattern_frame dome_frame = list->frame;
 
-    if (cupola_dome_create(list->rig, &dome, NULL) < 0)
-        return;
     list->frame.about_viewer = true; /* rays are the viewer's */
     for (int degrees = 0; degrees < 360; degrees += 90) {
         double c = cos(degrees * RADIANS), s = sin(degrees * RADIANS);
@@ -228,33 +233,40 @@ static void label_rim(struct list *list)
             fabs(c) > 0.5 ? (c > 0 ? output->width_px - circle->center_x_px : circle->center_x_px)
                           : (s > 0 ? output->height_px - circle->center_y_px : circle->center_y_px);
         double r_px = fmin(circle->radius_px, to_frame_px) - in_px;
-        if (cupola_dome_ray(dome, list->tool->output, NULL, circle->center_x_px + r_px * c,
+        if (cupola_dome_ray(list->dome, list->tool->output, NULL, circle->center_x_px + r_px * c,
                             circle->center_y_px + r_px * s, &ray) == 1)
             put(list, ray.direction, (struct side){0, 0}, degrees == 90 ? yellow : white,
                 degrees == 90 ? "%d TOP OF IMAGE" : "%d", degrees);
     }
     list->frame = dome_frame;
-    cupola_dome_destroy(&dome);
 }
 
 static void label_dot(struct list *list)
 {
+    struct dome_label *last;
     double v[3];
 
     pattern_dot(list->tool, v);
     put(list, v, (struct side){0, -1}, white, "yaw %.1f pitch %.1f",
         list->tool->dot_yaw_rad / RADIANS, list->tool->dot_pitch_rad / RADIANS);
-    list->labels->list[list->labels->count - 1].corner[1] -=
-        0.5 * list->tool->dot_size_rad / list->unit_rad;
+    last = &list->labels->list[list->labels->count - 1];
+    last->corner[1] -= 0.5 * list->tool->dot_size_rad / last->unit_rad;
 }
 
-void pattern_labels_list(const struct tool *tool, const struct cupola_rig *rig, double unit_rad,
+double pattern_label_unit_rad(const cupola_dome *dome, int output, const double direction[3])
+{
+    double height_rad = 9 * dome_pixel_rad(dome, output, direction);
+
+    return fmin(fmax(height_rad, 1.2 * RADIANS), 4 * RADIANS) / 7;
+}
+
+void pattern_labels_list(const struct tool *tool, const cupola_dome *dome,
                          struct pattern_labels *labels)
 {
-    struct list list = {.tool = tool, .rig = rig, .unit_rad = unit_rad, .labels = labels};
+    struct list list = {.tool = tool, .dome = dome, .rig = cupola_dome_rig(dome), .labels = labels};
 
     labels->count = 0;
-    pattern_frame(tool, rig, &list.frame);
+    pattern_frame(tool, list.rig, &list.frame);
     switch (tool->pattern) {
     case PATTERN_GRID:
         if (list.frame.about_viewer)

@@ -14,8 +14,11 @@ struct pattern_labels {
     char texts[PATTERN_LABELS_MAX][PATTERN_LABEL_TEXT];
 };
 
-/* All labels of the tool's pattern; letters are `unit_rad` large. */
-void pattern_labels_list(const struct tool *tool, const struct cupola_rig *rig, double unit_rad,
+/* Of letters in this direction: nine pixels high, but neither tiny nor huge on the dome. */
+double pattern_label_unit_rad(const cupola_dome *dome, int output, const double direction[3]);
+
+/* All labels of the tool's pattern on the dome of the rig that is shown. */
+void pattern_labels_list(const struct tool *tool, const cupola_dome *dome,
                          struct pattern_labels *labels);
 
 #endif

@@ -20,12 +20,12 @@
 #include "tool/pattern_labels.h"
 #include "tool/preview.h"
 
-static const double RADIANS = 3.14159265358979323846 / 180;
-
 struct stage {
     struct cupola_rig rig;       /* as it is shown */
+    cupola_dome *dome;           /* of it; NULL: nothing was drawn so far */
     struct cupola_rig table_rig; /* of the point table; its eye does not count */
-    cupola_points *points;       /* NULL: nothing was drawn so far */
+    int table_output;
+    cupola_points *points; /* NULL: nothing was drawn so far */
     struct target image;
     struct patterns *patterns;
     struct dome_text *text;
@@ -63,6 +63,7 @@ void stage_destroy(struct stage *stage)
     if (!stage)
         return;
     cupola_points_destroy(&stage->points);
+    cupola_dome_destroy(&stage->dome);
     if (stage->image.framebuffer)
         target_destroy(&stage->image);
     patterns_destroy(stage->patterns);
@@ -79,27 +80,45 @@ const struct target *stage_image(const struct stage *stage)
     return &stage->image;
 }
 
+static bool update_dome(struct stage *stage, const struct tool *tool, char *message)
+{
+    struct cupola_error error = {0};
+    cupola_dome *dome = NULL;
+    struct cupola_rig rig;
+
+    tool_shown_rig(tool, &rig);
+    if (stage->dome && memcmp(&rig, &stage->rig, sizeof rig) == 0)
+        return true;
+    if (cupola_dome_create(&rig, &dome, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "%s", error.message);
+        return false;
+    }
+    cupola_dome_destroy(&stage->dome);
+    stage->dome = dome;
+    memcpy(&stage->rig, &rig, sizeof rig);
+    return true;
+}
+
 /* The point table does not depend on the eye. */
 static bool update_points(struct stage *stage, int output, char *message)
 {
     struct cupola_rig rig = stage->rig;
     struct cupola_error error = {0};
-    cupola_dome *dome = NULL;
     int status;
 
     memset(rig.eye_m, 0, sizeof rig.eye_m);
-    if (stage->points && memcmp(&rig, &stage->table_rig, sizeof rig) == 0)
+    if (stage->points && output == stage->table_output &&
+        memcmp(&rig, &stage->table_rig, sizeof rig) == 0)
         return true;
-    status = cupola_dome_create(&rig, &dome, &error);
-    if (status >= 0)
-        status = stage->points ? cupola_points_set_dome(stage->points, dome, output, &error)
-                               : cupola_points_create(dome, output, &stage->points, &error);
-    cupola_dome_destroy(&dome);
-    if (status >= 0)
-        memcpy(&stage->table_rig, &rig, sizeof rig);
-    else
+    status = stage->points ? cupola_points_set_dome(stage->points, stage->dome, output, &error)
+                           : cupola_points_create(stage->dome, output, &stage->points, &error);
+    if (status < 0) {
         snprintf(message, MESSAGE_SIZE, "%s", error.message);
-    return status >= 0;
+        return false;
+    }
+    memcpy(&stage->table_rig, &rig, sizeof rig);
+    stage->table_output = output;
+    return true;
 }
 
 static bool update_image(struct stage *stage, int output, char *message)
@@ -118,24 +137,9 @@ static bool update_image(struct stage *stage, int output, char *message)
     return true;
 }
 
-/* In the middle of the image circle. */
-static double radians_per_px(const struct stage *stage, int output)
-{
-    const struct cupola_output *made = &stage->rig.outputs[output];
-    const double near = 0.01;
-
-    return cupola_lens_angle(&made->lens, near) / (near * made->circle.radius_px);
-}
-
-/* Nine pixels high, but neither tiny nor huge on the dome. */
-static double label_unit_rad(const struct stage *stage, int output)
-{
-    return fmin(fmax(9 * radians_per_px(stage, output), 1.2 * RADIANS), 4 * RADIANS) / 7;
-}
-
 static void draw_labels(struct stage *stage, const struct tool *tool)
 {
-    pattern_labels_list(tool, &stage->rig, label_unit_rad(stage, tool->output), &stage->labels);
+    pattern_labels_list(tool, stage->dome, &stage->labels);
     for (int i = 0; i < stage->labels.count; i++)
         dome_text_draw(stage->text, &stage->rig, tool->output, cupola_points_texture(stage->points),
                        &stage->labels.list[i]);
@@ -145,22 +149,18 @@ static void draw_labels(struct stage *stage, const struct tool *tool)
 static void draw_cross_name(struct stage *stage, const struct tool *tool)
 {
     struct dome_label label = {.ink = {1, 0.75f, 0.1f}, .ground = 0.8f};
-    cupola_dome *dome = NULL;
     struct cupola_ray ray;
 
     if (tool->mark < 0 || tool->mark >= tool->marks.count ||
-        cupola_dome_create(&stage->rig, &dome, NULL) < 0)
+        cupola_dome_ray(stage->dome, tool->output, NULL, tool->cross_px[0], tool->cross_px[1],
+                        &ray) < 0)
         return;
-    if (cupola_dome_ray(dome, tool->output, NULL, tool->cross_px[0], tool->cross_px[1], &ray) >=
-        0) {
-        label.text = tool->marks.list[tool->mark].name;
-        label.unit_rad = label_unit_rad(stage, tool->output);
-        memcpy(label.direction, ray.direction, sizeof label.direction);
-        dome_label_anchor(&label, 1, 1);
-        dome_text_draw(stage->text, &stage->rig, tool->output, cupola_points_texture(stage->points),
-                       &label);
-    }
-    cupola_dome_destroy(&dome);
+    label.text = tool->marks.list[tool->mark].name;
+    label.unit_rad = pattern_label_unit_rad(stage->dome, tool->output, ray.direction);
+    memcpy(label.direction, ray.direction, sizeof label.direction);
+    dome_label_anchor(&label, 1, 1);
+    dome_text_draw(stage->text, &stage->rig, tool->output, cupola_points_texture(stage->points),
+                   &label);
 }
 
 /* The projector's image. Patterns are written as numbers; what lies over them is mixed as light. */
@@ -187,8 +187,7 @@ static bool draw_image(struct stage *stage, const struct tool *tool, char *messa
         draw_cross_name(stage, tool);
     }
     if (tool->text_on_dome)
-        panels_draw_on_dome(stage->text, tool, &stage->rig, points,
-                            radians_per_px(stage, tool->output));
+        panels_draw_on_dome(stage->text, tool, stage->dome, points);
     glDisable(GL_BLEND);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -244,8 +243,7 @@ bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int frame
 {
     int place[4], theatre[4] = {width / 2, 0, width - width / 2, height};
 
-    tool_shown_rig(tool, &stage->rig);
-    if (!update_points(stage, tool->output, message) ||
+    if (!update_dome(stage, tool, message) || !update_points(stage, tool->output, message) ||
         !update_image(stage, tool->output, message) || !draw_image(stage, tool, message))
         return false;
     if (width < 1 || height < 1)

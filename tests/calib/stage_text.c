@@ -81,14 +81,27 @@ static unsigned char *draw_label(const struct cupola_rig *rig, const cupola_dome
     return image;
 }
 
+/* What is drawn of a text that stands beside its direction on this side, measured from another. */
+static struct ink ink_of(const struct cupola_rig *rig, const cupola_dome *dome,
+                         struct dome_label *label, int across, int up, const double from[3])
+{
+    unsigned char *image;
+    struct ink ink;
+
+    dome_label_anchor(label, across, up);
+    image = draw_label(rig, dome, label);
+    ink = measure(image, dome, from);
+    free(image);
+    return ink;
+}
+
 static void check_label(uint64_t seed)
 {
     struct cupola_rig rig;
     cupola_dome *dome = NULL;
     struct cupola_ray ray;
     struct dome_label label = {.unit_rad = 0.008, .ink = {1, 1, 1}};
-    double per_px, x, y;
-    unsigned char *image;
+    double tolerance, off[3], x, y;
     struct ink ink;
 
     stage_random_rig(&seed, SIZE, &rig);
@@ -97,37 +110,26 @@ static void check_label(uint64_t seed)
     y = rig.outputs[0].circle.center_y_px + random_between(&seed, -70, 70);
     assert_int_equal(cupola_dome_ray(dome, 0, NULL, x, y, &ray), 1);
     memcpy(label.direction, ray.direction, sizeof label.direction);
-    per_px = sqrt(ray.solid_angle_sr);
-    /* As high as wide in ink: its middle is the direction. */
-    label.text = "H";
-    dome_label_anchor(&label, 0, 0);
-    image = draw_label(&rig, dome, &label);
-    ink = measure(image, dome, label.direction);
-    check_near(ink.across, 0, 0.5 * label.unit_rad + 0.5 * per_px);
-    check_near(ink.up, 0, 0.5 * label.unit_rad + 0.5 * per_px);
-    check_near(ink.up_high - ink.up_low, 7 * label.unit_rad, 0.6 * label.unit_rad + 2.5 * per_px);
-    /* Had it been drawn four pixels further right, this would say so. */
     for (int i = 0; i < 3; i++)
-        label.direction[i] += 4 * ray.direction_dx[i];
-    ink = measure(image, dome, label.direction);
-    check_at_least(hypot(ink.across, ink.up), 0.5 * label.unit_rad + 0.5 * per_px);
-    memcpy(label.direction, ray.direction, sizeof label.direction);
-    free(image);
+        off[i] = ray.direction[i] + 4 * ray.direction_dx[i];
+    tolerance = 0.5 * label.unit_rad + 0.5 * sqrt(ray.solid_angle_sr);
+    /* As high as wide in ink: its middle is the direction, and not what is four pixels off it. */
+    label.text = "H";
+    ink = ink_of(&rig, dome, &label, 0, 0, ray.direction);
+    check_near(ink.across, 0, tolerance);
+    check_near(ink.up, 0, tolerance);
+    check_near(ink.up_high - ink.up_low, 7 * label.unit_rad, 5 * tolerance);
+    ink = ink_of(&rig, dome, &label, 0, 0, off);
+    check_at_least(hypot(ink.across, ink.up), tolerance);
     /* Upright and not mirrored: an L has its weight at the left and below. */
     label.text = "L";
-    dome_label_anchor(&label, 0, 0);
-    image = draw_label(&rig, dome, &label);
-    ink = measure(image, dome, label.direction);
+    ink = ink_of(&rig, dome, &label, 0, 0, ray.direction);
     check_at_most(ink.across - 0.5 * (ink.across_low + ink.across_high), -0.5 * label.unit_rad);
     check_at_most(ink.up - 0.5 * (ink.up_low + ink.up_high), -0.5 * label.unit_rad);
-    free(image);
     /* Beside its direction on the side that was wished. */
-    dome_label_anchor(&label, 1, -1);
-    image = draw_label(&rig, dome, &label);
-    ink = measure(image, dome, label.direction);
+    ink = ink_of(&rig, dome, &label, 1, -1, ray.direction);
     check_at_least(ink.across_low, 0);
     check_at_most(ink.up_high, 0);
-    free(image);
     cupola_dome_destroy(&dome);
 }
 
