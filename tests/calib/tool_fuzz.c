@@ -64,7 +64,7 @@ static void no_script_breaks_the_tool(void **state)
     }
 }
 
-/* Gives each line that reads like one its right number and checksum, so that what it says counts. */
+/* Gives each line that reads like one its number and checksum, so that what it says counts. */
 static size_t sign_again(const char *bytes, size_t size, char *out, size_t room)
 {
     size_t used = 0;

@@ -1,4 +1,4 @@
-/* Journals: cut off anywhere, damaged anywhere, used by two, of another projector, on full disks. */
+/* Journals: cut off or damaged anywhere, used by two, of another projector, on full disks. */
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-/* Whatever keys are pressed: the rig stays possible, undo and redo lead back, the journal agrees. */
+/* Whatever keys are pressed: the rig stays possible, undo leads back, the journal agrees. */
 #include "tool_fixture.h"
 
 static void no_keys_make_an_impossible_rig(void **state)
