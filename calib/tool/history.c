@@ -1,4 +1,4 @@
-/* Undo and redo: an array that grows as far as it may and can, and then forgets its oldest steps. */
+/* Undo and redo: an array that grows as far as it may, and then forgets its oldest steps. */
 #include "tool/history.h"
 
 #include <stdlib.h>

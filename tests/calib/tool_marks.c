@@ -1,4 +1,4 @@
-/* Marks and the mouse: the cross-hair starts where the rig predicts it, and goes from one to one. */
+/* Marks and the mouse: the cross-hair starts where the rig predicts it, and goes on from there. */
 #include <cupola/dome.h>
 #include <cupola/projection.h>
 #include <cupola/rig_file.h>
