@@ -195,7 +195,7 @@ static bool search(struct fit *fit, char *message)
             double size = length                                   ? 0.3 * radius_m
                           : turn || unknown >= POSE_PROJECTOR_TURN ? 0.4
                                                                    : 0;
-            fit->trial[i] = start == 0 ? 0 : size * spread(&state);
+            fit->trial[i] = start == 0 ? 1 : 1 + size * spread(&state);
         }
         descend(fit, fit->trial);
         if (!(median_px(fit) < best))

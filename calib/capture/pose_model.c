@@ -49,7 +49,7 @@ void pose_model_apply(const struct pose_model *model, const double *numbers, str
     double all[POSE_UNKNOWNS] = {0}, turn[9];
 
     for (int i = 0; i < model->unknown_count; i++)
-        all[model->unknowns[i]] = numbers[i];
+        all[model->unknowns[i]] = numbers[i] - 1;
     *camera = *request->camera;
     rotation_from_vector(all + POSE_CAMERA_TURN, turn);
     rotation_multiply(request->camera->rotation, turn, camera->rotation);

@@ -29,7 +29,9 @@ void pose_model_begin(const struct pose_request *request, const bool *rejected,
 /* Two for each patch and three for each reference. */
 int pose_model_residual_count(const struct pose_model *model);
 
-/* What free numbers mean. */
+/*
+ * What free numbers mean. Each is 1 at the start and not 0: lmdif makes its steps as parts of them.
+ */
 void pose_model_apply(const struct pose_model *model, const double *numbers, struct camera *camera,
                       double projector_m[3], double projector_turn[9]);
 
