@@ -13,6 +13,8 @@
 
 enum { SIZE = 512, HEIGHT = 3 * SIZE / 4 };
 
+static const double RADIANS = 3.14159265358979323846 / 180;
+
 /* Where the ink of one label is, seen by the viewer: right and up of its direction, radians. */
 struct ink {
     double sum, across, up, across_low, across_high, up_low, up_high;
@@ -184,11 +186,48 @@ static void warnings_are_red_plain_and_on_the_dome(void **state)
     stage_fixture_release(&fixture);
 }
 
+/* A planetarium has nothing below the horizon, where others have their legend. */
+static void the_legend_is_where_the_dome_is(void **state)
+{
+    struct cupola_rig rig = {
+        .screen = {5, 90 * RADIANS}, .eye_m = {0, 0, -0.5}, .tilt_rad = 90 * RADIANS};
+    struct stage_fixture fixture;
+    struct cupola_ray ray;
+    cupola_dome *dome = NULL;
+    unsigned char *image;
+    int letters = 0, cut = 0;
+
+    (void)state;
+    rig.outputs[0].width_px = rig.outputs[0].height_px = SIZE;
+    assert_int_equal(cupola_rig_complete(&rig, &rig, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_dome_create(&rig, &dome, NULL), CUPOLA_OK);
+    stage_fixture_make(&fixture, &rig);
+    fixture.tool.pattern = PATTERN_DOT;
+    fixture.tool.shows_legend = fixture.tool.text_on_dome = true;
+    image = stage_fixture_image(&fixture);
+    for (int k = 0; k < SIZE * SIZE; k++) {
+        if (image[4 * k] < 100)
+            continue;
+        letters++;
+        for (int i = 0; i < 4; i++) {
+            double x = k % SIZE + 0.5 + (i == 0 ? -5 : i == 1 ? 5 : 0);
+            double y = k / SIZE + 0.5 + (i == 2 ? -5 : i == 3 ? 5 : 0);
+            cut += cupola_dome_ray(dome, 0, NULL, x, y, &ray) != 1;
+        }
+    }
+    check_at_least(letters, 500);
+    assert_int_equal(cut, 0);
+    free(image);
+    cupola_dome_destroy(&dome);
+    stage_fixture_release(&fixture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(labels_are_upright_at_their_direction),
         cmocka_unit_test(warnings_are_red_plain_and_on_the_dome),
+        cmocka_unit_test(the_legend_is_where_the_dome_is),
     };
 
     return cmocka_run_group_tests_name("calib-stage_text", tests, stage_context_open,
