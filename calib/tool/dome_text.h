@@ -33,7 +33,7 @@ void dome_text_destroy(struct dome_text *text);
 void dome_text_size(const char *text, double *width, double *height);
 
 /*
- * How wide a pixel is for the viewer, in this direction of the host's camera frame; where nothing is
+ * How wide a pixel is for the viewer, in this direction of the camera frame; where nothing is
  * lit there, in the middle of the image circle.
  */
 double dome_pixel_rad(const cupola_dome *dome, int output, const double direction[3]);

@@ -31,7 +31,7 @@ static void angles(bool about_viewer, const double v[3], double *latitude, doubl
     *longitude = about_viewer ? atan2(-v[0], -v[2]) : atan2(v[1], v[0]);
 }
 
-/* The vector of which the pattern is a function; false where the pixel or one beside is at a rim. */
+/* What the pattern is a function of; false where the pixel or one beside it is at a rim. */
 static bool pattern_vector(const cupola_dome *dome, bool about_viewer, double x, double y,
                            double v[3])
 {
