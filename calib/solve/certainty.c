@@ -13,28 +13,28 @@
 
 static const double degree = 3.14159265358979323846 / 180;
 
-/* Beyond this sd a value is worth nothing, in its scaled unit; from a fifth of it on it is weak. */
+/* Beyond this sd a value is worth nothing, in its scaled unit; from a tenth of it on it is weak. */
 static double limit(enum model_value value)
 {
     switch (value) {
     case VALUE_CIRCLE_X:
     case VALUE_CIRCLE_Y:
-        return 0.05;
+        return 0.1;
     case VALUE_K1:
     case VALUE_K3:
     case VALUE_K5:
     case VALUE_K7:
-        return 0.5;
+        return 1;
     case VALUE_AIM_X:
     case VALUE_AIM_Y:
     case VALUE_AIM_Z:
         return 3 * degree;
     default:
-        return 0.1;
+        return 0.2;
     }
 }
 
-static const double warning_share = 0.2;
+static const double warning_share = 0.1;
 
 /* Units at the solution: where a value is a logarithm, the value as solved. */
 static double unit_now(const struct model *model, int value)
