@@ -11,7 +11,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-enum { TRIALS = 240, STEPS = 8, SUBSET = 4 };
+enum { TRIALS = 160, STEPS = 8, SUBSET = 4 };
 
 /* A mark as the lens sees it: the direction that its pixel shows, in the lens's frame. */
 struct sight {
