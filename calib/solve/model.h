@@ -66,9 +66,9 @@ bool model_residuals(const struct model *model, const struct model_base *at, con
                      int count, bool weighted, double *residuals_px);
 
 /*
- * Derivatives of the weighted residuals of some marks by the values, at x:
- * jacobian[rows * value + row], two rows a mark; by differences on both sides. There is room for one value
- * more. Without `chosen` of the first.
+ * Derivatives of the weighted residuals of some marks by the values, at x, by differences on both
+ * sides: jacobian[rows * value + row], two rows a mark. There is room for one value more. Without
+ * `chosen` of the first.
  */
 void model_jacobian(const struct model *model, const double *x, const int *chosen, int count,
                     double *jacobian);
