@@ -1,0 +1,190 @@
+/* What `capture` says to wrong input: one sentence, the right exit status, and nothing written. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "capture/folder.h"
+#include "capture/photo.h"
+#include "capture_fixture.h"
+#include "check.h"
+#include "option_values.h"
+
+enum { FAILED = 1, USAGE = 2 };
+
+#define DECODE "decode --rig r.cfg --camera angular:180 --output m.csv "
+
+/* A projector of 64 x 48 and photographs of 60 x 48 that show it pixel by pixel. */
+struct flaw {
+    double lit;
+    double ambient;
+};
+
+static double photo_light(const struct series_picture *picture, int i, int j, void *data)
+{
+    static const struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
+    const struct flaw *flaw = data;
+
+    return flaw->ambient + flaw->lit * series_light(&series, picture, i, j);
+}
+
+static int make_folders(void **state)
+{
+    struct cupola_rig rig = {.outputs = {{.width_px = 64, .height_px = 48}}};
+    struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
+    struct flaw right = {.lit = 0.7}, dark = {.lit = 0.01};
+
+    if (capture_enter_directory(state) != 0)
+        return -1;
+    capture_write_rig("r.cfg", &rig);
+    rig.outputs[0].width_px = 80;
+    capture_write_rig("other.cfg", &rig);
+    capture_write_photos("right", &series, 60, 48, photo_light, &right);
+    capture_write_photos("dark", &series, 60, 48, photo_light, &dark);
+    capture_write_photos("fewer", &series, 60, 48, photo_light, &right);
+    capture_write_photos("mixed", &series, 60, 48, photo_light, &right);
+    return unlink("fewer/05-x-inverse-1.pfm") == 0 ? 0 : -1;
+}
+
+static void refuse(const char *line, int status, const char *reason)
+{
+    char message[MESSAGE_SIZE];
+
+    assert_int_equal(capture_run(line, message), status);
+    if (!strstr(message, reason))
+        fail_msg("%s: '%s' does not say '%s'", line, message, reason);
+    assert_null(strchr(message, '\n'));
+    assert_int_not_equal(access("m.csv", F_OK), 0);
+}
+
+static void test_wrong_command_lines_are_refused(void **state)
+{
+    static const char *const wrong[][2] = {
+        {"", "is no command of capture"},
+        {"dekode", "'dekode' is no command of capture; allowed: patterns, show, decode, simulate"},
+        {"patterns --folder p", "--rig is missing"},
+        {"patterns --rig r.cfg --folder p --period 13", "even numbers"},
+        {"patterns --rig r.cfg --folder p --period 6", "8 to 1024"},
+        {"patterns --rig r.cfg --folder p --steps 3", "4 to 16"},
+        {"patterns --rig r.cfg --folder p --projector 1", "allowed: 0 to 0"},
+        {"patterns --rig r.cfg --folder p --noise 1", "--noise is not for patterns"},
+        {"patterns --rig r.cfg --folder p more", "'more' is not allowed"},
+        {"patterns --rig r.cfg --folder", "--folder needs a value"},
+        {"patterns --wrong", "--wrong is no option"},
+        {"show --patterns p --shots 3", "need --device"},
+        {"show --patterns p --device /dev/video0", "--device needs --folder"},
+        {DECODE, "decode needs photographs"},
+        {DECODE "--folder right one.png", "not both"},
+        {DECODE "one.png two.png", "--patterns is missing"},
+        {DECODE "--folder right --marks 3", "12 to 5000"},
+        {DECODE "--folder right --contrast 0", "above 0"},
+        {DECODE "--folder right --camera fish", "'fish' is not allowed"},
+        {DECODE "--folder right --camera rectilinear:60 --camera-circle 1,2,3", "is for a fisheye"},
+        {DECODE "--folder right --camera-circle 1,2,0", "radius of 0"},
+        {DECODE "--folder right --camera-free pose", "needs --references"},
+        {DECODE "--folder right --camera-free lens", "'lens' is not allowed"},
+        {DECODE "--folder right --solved s.cfg", "changes no photograph"},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        refuse(wrong[i][0], USAGE, wrong[i][1]);
+}
+
+static void test_wrong_files_are_refused(void **state)
+{
+    FILE *file = fopen("refs.csv", "w");
+
+    (void)state;
+    fputs("name,x_px,y_px,dir_x,dir_y,dir_z\na,10,10,0,0,-1\nb,20,20,0,0,1\n", file);
+    fclose(file);
+    refuse("decode --rig none.cfg --camera angular:180 --output m.csv --folder right", FAILED,
+           "none.cfg");
+    refuse(DECODE "--folder nowhere", FAILED, "nowhere");
+    refuse("decode --rig other.cfg --camera angular:180 --output m.csv --folder right", FAILED,
+           "the patterns are of 64x48 px, and projector 0 of the rig is of 80x48");
+    refuse(DECODE "--folder fewer", FAILED, "none is called 05-x-inverse-1");
+    refuse(DECODE "--patterns right right/00-white.pfm", FAILED, "1 photographs; allowed: 26");
+    refuse(DECODE "--folder right --camera equirectangular", FAILED, "twice as wide as high");
+    refuse(DECODE "--folder right --output gone/m.csv", FAILED, "gone/m.csv cannot be written");
+    refuse(DECODE "--folder right --references refs.csv", FAILED, "5 to 175 degrees");
+    refuse("simulate --rig r.cfg --patterns right --folder s --camera angular:180", FAILED,
+           "00-white.png");
+}
+
+static void test_dark_and_broken_photographs_are_said(void **state)
+{
+    char message[MESSAGE_SIZE];
+    struct photo photo;
+    FILE *file;
+
+    (void)state;
+    refuse(DECODE "--folder dark", FAILED, "100.0 % too little contrast");
+    assert_true(photo_create(&photo, 59, 48, message));
+    assert_true(photo_write("mixed/07-x-inverse-2.pfm", &photo, PHOTO_PFM, message));
+    photo_free(&photo);
+    refuse(DECODE "--folder mixed", FAILED, "07-x-inverse-2.pfm is 59 x 48 px; allowed: 60 x 48");
+    file = fopen("mixed/07-x-inverse-2.pfm", "w");
+    fputs("no picture", file);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "07-x-inverse-2.pfm");
+    file = fopen("mixed/patterns.txt", "w");
+    fputs("version = 1\nwidth_px = 64\nheight_px = 48\nsteps = 4\n", file);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "patterns.txt: period_px is missing");
+    file = fopen("mixed/patterns.txt", "w");
+    fputs("version = 1\nwidth_px = 0\n", file);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "patterns.txt:2: width_px: '0' is not allowed");
+    file = fopen("mixed/patterns.txt", "w");
+    fputs("version = 1\ncolour = red\n", file);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "patterns.txt:2: 'colour = red' is not allowed");
+}
+
+static void test_saturated_photographs_are_said(void **state)
+{
+    char message[MESSAGE_SIZE], name[SERIES_NAME_MAX + 1], path[PATH_MAX];
+    struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
+
+    (void)state;
+    assert_true(folder_make("--folder", "bright", message));
+    assert_true(folder_write_series("bright", &series, message));
+    for (int i = 0; i < series_count(&series); i++) {
+        struct photo photo;
+        assert_true(photo_create(&photo, 60, 48, message));
+        for (int k = 0; k < 60 * 48; k++)
+            photo.light[k] = 1;
+        series_name(&series, i, name);
+        assert_true(folder_path("bright", name, ".png", path, message));
+        assert_true(photo_write(path, &photo, PHOTO_PNG8, message));
+        photo_free(&photo);
+    }
+    refuse(DECODE "--folder bright", FAILED, "100.0 % saturated");
+}
+
+static void test_the_right_input_is_taken(void **state)
+{
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    /* The camera stands in the middle and sees what it lights, cut off at the right. */
+    assert_int_equal(capture_run("decode --rig r.cfg --camera angular:180 --camera-circle 32,24,24 "
+                                 "--output right.csv --folder right --marks 12",
+                                 message),
+                     0);
+    assert_int_equal(access("right.csv", F_OK), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_wrong_command_lines_are_refused),
+        cmocka_unit_test(test_wrong_files_are_refused),
+        cmocka_unit_test(test_dark_and_broken_photographs_are_said),
+        cmocka_unit_test(test_saturated_photographs_are_said),
+        cmocka_unit_test(test_the_right_input_is_taken),
+    };
+    return cmocka_run_group_tests_name("calib capture_errors", tests, make_folders,
+                                       capture_leave_directory);
+}
