@@ -232,7 +232,7 @@ static double median_sd_px(const struct patches *patches)
     double median;
 
     if (!sizes)
-        return NAN;
+        return HUGE_VAL;
     for (int i = 0; i < patches->count; i++)
         sizes[i] = hypot(patches->list[i].sd_px[0], patches->list[i].sd_px[1]);
     qsort(sizes, (size_t)patches->count, sizeof *sizes, by_size);

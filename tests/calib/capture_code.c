@@ -1,4 +1,4 @@
-/* Structured light: what the pictures hold, and what photographs of them say, against closed form. */
+/* Structured light: what pictures hold, and what photographs of them say, against closed form. */
 #include <stdio.h>
 #include <string.h>
 

@@ -143,7 +143,7 @@ static void test_a_fisheye_at_the_eye_makes_the_dome_right(void **state)
 
     (void)state;
     run("simulate --rig true.cfg --patterns p --folder photos --photo-size 400x300 "
-        "--seed 1" FISHEYE SPOILT);
+        "--seed 1 --references refs.csv" FISHEYE SPOILT);
     run(DECODE_FISHEYE);
     check_errors(solve_marks("m.csv"), "fisheye at the eye");
 
@@ -151,6 +151,10 @@ static void test_a_fisheye_at_the_eye_makes_the_dome_right(void **state)
     run(DECODE_FISHEYE " --camera-aim 1,0,0");
     errors = solve_marks("m.csv");
     check_at_least(errors.median_deg, 0.2);
+
+    /* References put that right. */
+    run(DECODE_FISHEYE " --camera-aim 1,0,0 --camera-free aim --references refs.csv");
+    check_errors(solve_marks("m.csv"), "fisheye at the eye, its aim unknown");
 
     /* The lens's own circle forgotten. */
     run("decode --rig start.cfg --patterns p --folder photos --marks 200 --output m.csv "
