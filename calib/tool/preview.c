@@ -9,6 +9,8 @@
 
 #include <cupola/theatre.h>
 
+#include "tool/stickers.h"
+
 static const double EYE_FOV_RAD = 1.6; /* wide, but not so wide that the corners are drawn out */
 
 struct preview_room {
@@ -16,15 +18,22 @@ struct preview_room {
     cupola_dome *dome;     /* NULL: nothing was drawn so far */
     cupola_theatre *theatre;
     unsigned int black[CUPOLA_OUTPUTS_MAX]; /* what the other projectors throw */
+    struct stickers *stickers;
 };
 
 struct preview_room *preview_create(char *message)
 {
     struct preview_room *preview = calloc(1, sizeof *preview);
 
-    if (!preview)
+    if (!preview) {
         snprintf(message, MESSAGE_SIZE, "out of memory");
-    return preview;
+        return NULL;
+    }
+    preview->stickers = stickers_create(message);
+    if (preview->stickers)
+        return preview;
+    free(preview);
+    return NULL;
 }
 
 static void clear(struct preview_room *preview)
@@ -40,6 +49,7 @@ void preview_destroy(struct preview_room *preview)
     if (!preview)
         return;
     clear(preview);
+    stickers_destroy(preview->stickers);
     free(preview);
 }
 
@@ -126,8 +136,11 @@ bool preview_draw(struct preview_room *preview, const struct tool *tool, unsigne
     for (int i = 0; i < 3; i++)
         spectator.ambient_rgb[i] = 0.006f; /* what is not lit is seen, too */
     if (cupola_theatre_draw(preview->theatre, images, &spectator, rectangle[2], rectangle[3],
-                            &target, &error) >= 0)
-        return true;
-    snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
-    return false;
+                            &target, &error) < 0) {
+        snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
+        return false;
+    }
+    if (tool->group == GROUP_MARKS && tool->preview == PREVIEW_EYE)
+        stickers_draw(preview->stickers, tool, &spectator, framebuffer, rectangle);
+    return true;
 }
