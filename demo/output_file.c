@@ -66,7 +66,7 @@ bool output_file_write(const char *path, const float *rgba, int width, int heigh
 {
     struct cupola_error error = {0};
     int status = output_file_is_pfm(path) ? cupola_pfm_write(path, rgba, width, height, &error)
-                                      : cupola_png_write(path, rgba, width, height, &error);
+                                          : cupola_png_write(path, rgba, width, height, &error);
 
     if (status < 0)
         snprintf(message, MESSAGE_SIZE, "%s", error.message);

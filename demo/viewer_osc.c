@@ -62,7 +62,7 @@ static bool split(const char *text, char host[HOST_SIZE], char port[6])
 
     if (count < 1 || count > 5 || strspn(digits, "0123456789") != count || atoi(digits) > 65535)
         return false;
-    snprintf(port, 6, "%s", digits);
+    memcpy(port, digits, count + 1);
     snprintf(host, HOST_SIZE, "127.0.0.1");
     if (!colon)
         return true;

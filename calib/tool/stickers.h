@@ -15,8 +15,8 @@ struct stickers *stickers_create(char *message);
 void stickers_destroy(struct stickers *stickers);
 
 /*
- * Over what a spectator inside of the screen sees, in a rectangle {left, bottom, width, height} of a
- * framebuffer: a ring round each place of the tool's marks on the screen of the theatre.
+ * Over what a spectator inside of the screen sees, in a rectangle {left, bottom, width, height} of
+ * a framebuffer: a ring round each place of the tool's marks on the screen of the theatre.
  */
 void stickers_draw(const struct stickers *stickers, const struct tool *tool,
                    const struct cupola_spectator *spectator, unsigned int framebuffer,
