@@ -228,20 +228,39 @@ static bool reject(struct fit *fit, bool *rejected)
     return changed;
 }
 
+/*
+ * Weighs patches and references by their own residuals. A few references say little of their noise:
+ * what is usual counts as much as four numbers.
+ */
+static void weigh(struct fit *fit)
+{
+    struct pose_model *model = &fit->model;
+    const double usual_count = 4;
+    double patches = 0, references = usual_count * POSE_REFERENCE_SD_PX * POSE_REFERENCE_SD_PX;
+    int kept = 0, count = model->request->references->count;
+
+    for (int i = 0; i < model->request->patches->count; i++) {
+        if (model->rejected[i])
+            continue;
+        kept++;
+        patches += pow(pose_model_patch_px(model, fit->residuals, i), 2);
+    }
+    for (int i = 0; i < count; i++)
+        references += pow(pose_model_reference_px(model, fit->residuals, i), 2);
+    model->patch_sd_px = fmax(sqrt(patches / fmax(2 * kept - model->unknown_count, 1)), 1e-3);
+    model->reference_sd_px = sqrt(references / (2 * count - 3 + usual_count));
+}
+
 static void deviations(struct fit *fit)
 {
     int n = fit->model.unknown_count;
-    double squares = 0;
 
-    for (int i = 0; i < fit->count; i++)
-        squares += fit->residuals[i] * fit->residuals[i];
-    squares = fmax(squares / fmax(fit->count - n, 1), 1e-4);
     covar(n, fit->jacobian, fit->count, fit->pivots, 1e-12, fit->work);
     memset(fit->sd, 0, sizeof fit->sd);
     for (int i = 0; i < n; i++) {
         double variance = fit->jacobian[(size_t)i * (size_t)fit->count + (size_t)i];
         /* covar leaves 0 where nothing is known. */
-        fit->sd[fit->model.unknowns[i]] = variance > 0 ? sqrt(variance * squares) : HUGE_VAL;
+        fit->sd[fit->model.unknowns[i]] = variance > 0 ? sqrt(variance) : HUGE_VAL;
     }
 }
 
@@ -331,6 +350,7 @@ bool pose_solve(const struct pose_request *request, struct pose_result *result, 
     } else if (search(&fit, message)) {
         for (int round = 0; round < 5 && reject(&fit, result->rejected); round++)
             continue;
+        weigh(&fit);
         descend(&fit, fit.numbers);
         deviations(&fit);
         describe(&fit, result);

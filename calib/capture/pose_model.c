@@ -8,9 +8,6 @@
 
 #include "solve/rotation.h"
 
-/* Patches are averages; what is left is the lens's own error. References are pointed at by hand. */
-static const double patch_sd_px = 0.1, reference_sd_px = 0.5;
-
 static void add_unknowns(struct pose_model *model, int first, int count)
 {
     for (int i = first; i < first + count; i++)
@@ -22,7 +19,11 @@ void pose_model_begin(const struct pose_request *request, const bool *rejected,
 {
     const struct cupola_output *output = &request->rig->outputs[request->output];
 
-    *model = (struct pose_model){.request = request, .rejected = rejected, .lens = *output};
+    *model = (struct pose_model){.request = request,
+                                 .rejected = rejected,
+                                 .lens = *output,
+                                 .patch_sd_px = 0.1,
+                                 .reference_sd_px = POSE_REFERENCE_SD_PX};
     memset(model->lens.position_m, 0, sizeof model->lens.position_m);
     model->lens.aim = (struct cupola_aim){0};
     rotation_from_aim(&output->aim, model->start_projector);
@@ -82,7 +83,7 @@ static void patch_residual(const struct pose_model *model, const struct patch *p
     }
     cupola_output_pixel(&model->lens, own, place, NULL);
     for (int k = 0; k < 2; k++)
-        residual[k] = (place[k] - patch->projector_px[k]) / patch_sd_px;
+        residual[k] = (place[k] - patch->projector_px[k]) / model->patch_sd_px;
 }
 
 /* Of unit vectors, so that it is smooth also where the point lies behind the camera. */
@@ -101,7 +102,7 @@ static void reference_residual(const struct pose_model *model, const struct mark
     length = fmax(sqrt(length), 1e-9);
     for (int i = 0; i < 3; i++)
         residual[i] = (ray[i] - way[i] / length) /
-                      (reference_sd_px * camera_pixel_rad(model->request->camera));
+                      (model->reference_sd_px * camera_pixel_rad(model->request->camera));
 }
 
 void pose_model_residuals(const struct pose_model *model, const double *numbers, double *residuals)
@@ -124,8 +125,7 @@ void pose_model_residuals(const struct pose_model *model, const double *numbers,
 
 double pose_model_patch_px(const struct pose_model *model, const double *residuals, int patch)
 {
-    (void)model;
-    return patch_sd_px * hypot(residuals[2 * patch], residuals[2 * patch + 1]);
+    return model->patch_sd_px * hypot(residuals[2 * patch], residuals[2 * patch + 1]);
 }
 
 double pose_model_reference_px(const struct pose_model *model, const double *residuals,
@@ -133,5 +133,5 @@ double pose_model_reference_px(const struct pose_model *model, const double *res
 {
     const double *r = residuals + 2 * model->request->patches->count + 3 * reference;
 
-    return reference_sd_px * sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+    return model->reference_sd_px * sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
 }

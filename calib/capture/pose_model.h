@@ -14,6 +14,9 @@ enum {
     POSE_UNKNOWNS = 15,
 };
 
+/* As somebody points at places of a photograph. */
+#define POSE_REFERENCE_SD_PX 0.5
+
 struct pose_model {
     const struct pose_request *request;
     const bool *rejected;        /* per patch */
@@ -21,6 +24,8 @@ struct pose_model {
     struct cupola_output lens;   /* the projector at the origin, not turned */
     int unknowns[POSE_UNKNOWNS]; /* which of them are free */
     int unknown_count;
+    double patch_sd_px,
+        reference_sd_px; /* one coordinate, of the projector's image and the photo */
 };
 
 void pose_model_begin(const struct pose_request *request, const bool *rejected,

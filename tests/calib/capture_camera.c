@@ -259,6 +259,34 @@ static void test_wrong_places_are_left_out_and_a_wrong_fov_is_found(void **state
     pose_result_free(&result);
 }
 
+/* References off by half a pixel turn everything; the sd of the aims says by how much. */
+static void test_errors_of_references_are_in_the_uncertainty(void **state)
+{
+    enum { TRIALS = 40 };
+    char message[MESSAGE_SIZE];
+    struct scene scene;
+    double squares = 0, predicted = 0;
+    uint64_t seed = 77;
+
+    (void)state;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        struct pose_result result;
+        make_scene(&scene, 9, 0.03, 4);
+        for (int i = 0; i < 8; i++) /* uniform, of standard deviation 1/2 */
+            scene.references[i / 2].pixel_px[i % 2] += random_between(&seed, -0.866, 0.866);
+        if (!pose_solve(&scene.request, &result, message))
+            fail_msg("%s", message);
+        squares += pow(result.projector.aim.pitch_rad - scene.rig.outputs[0].aim.pitch_rad, 2);
+        predicted += pow(result.projector_aim_sd_rad, 2);
+        pose_result_free(&result);
+    }
+    /* The largest of the three is predicted, and one of them looked at. */
+    check_at_most(sqrt(squares / predicted), 1.3);
+    check_at_least(sqrt(squares / predicted), 0.3);
+    print_message("references off by 0.5 px: aims off by %.3f degrees, predicted %.3f\n",
+                  sqrt(squares / TRIALS) * 180 / PI, sqrt(predicted / TRIALS) * 180 / PI);
+}
+
 static void test_what_fixes_no_direction_is_refused(void **state)
 {
     char message[MESSAGE_SIZE];
@@ -289,6 +317,7 @@ int main(void)
         cmocka_unit_test(test_surfaces_pass_over_wrong_places),
         cmocka_unit_test(test_pose_and_projector_are_found_together),
         cmocka_unit_test(test_wrong_places_are_left_out_and_a_wrong_fov_is_found),
+        cmocka_unit_test(test_errors_of_references_are_in_the_uncertainty),
         cmocka_unit_test(test_what_fixes_no_direction_is_refused),
     };
     return cmocka_run_group_tests_name("calib capture_camera", tests, NULL, NULL);
