@@ -9,6 +9,8 @@
 #include <cupola/dome.h>
 #include <cupola/rig_file.h>
 
+#include "capture/command.h"
+#include "capture/simulate.h"
 #include "capture_fixture.h"
 #include "check.h"
 #include "marks.h"
@@ -199,9 +201,52 @@ static void test_a_panorama_at_a_known_place_makes_the_dome_right(void **state)
     check_errors(solve_marks("m.csv"), "panorama");
 }
 
+/* Two ways to the same light: the library's simulated theatre, drawn by the GL, and rays in C. */
+static void test_rays_and_the_library_s_theatre_see_the_same(void **state)
+{
+    const struct series series = {.size_px = {512, 448}, .period_px = 64, .steps = 4};
+    char message[MESSAGE_SIZE];
+    struct camera camera;
+    struct cupola_rig rig;
+    struct simulation simulation = {
+        .rig = &rig, .camera = &camera, .exposure = 1, .ambient = 0.2, .vignetting = 0.3};
+    struct photo shown, photos[2];
+    double off = 0;
+
+    (void)state;
+    assert_int_equal(cupola_rig_complete(&truth, &rig, NULL), 0);
+    assert_true(camera_parse("--camera", "rectilinear:70", &camera, message));
+    assert_true(camera_fit(&camera, 160, 120, NULL, message));
+    camera_aim(&camera, rig.tilt_rad, &(struct cupola_aim){0.1, -0.2, 0.05});
+    camera.position_m[2] = 0.9;
+    assert_true(capture_picture(&series, 12, &shown, message));
+    for (int i = 0; i < 2; i++) {
+        struct simulator *simulator = i ? simulator_create_by_rays(&simulation, message)
+                                        : simulator_create(&simulation, message);
+        assert_non_null(simulator);
+        if (!i && !simulator_uses_gl(simulator))
+            print_message("no GL: rays are compared with rays\n");
+        assert_true(simulator_take(simulator, &shown, &photos[i], message));
+        simulator_destroy(simulator);
+    }
+    for (int i = 0; i < 160 * 120; i++)
+        off += fabs((double)(photos[0].light[i] - photos[1].light[i])) / (160 * 120);
+    print_message("theatre and rays differ by %.2g (mean)\n", off);
+    check_at_most(off, 0.002);
+    /* The control: as far apart as one pixel is from the next. */
+    off = 0;
+    for (int i = 1; i < 160 * 120; i++)
+        off += fabs((double)(photos[0].light[i] - photos[1].light[i - 1])) / (160 * 120);
+    check_at_least(off, 0.01);
+    photo_free(&shown);
+    photo_free(&photos[0]);
+    photo_free(&photos[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rays_and_the_library_s_theatre_see_the_same),
         cmocka_unit_test(test_a_fisheye_at_the_eye_makes_the_dome_right),
         cmocka_unit_test(test_an_ordinary_camera_anywhere_makes_the_dome_right),
         cmocka_unit_test(test_a_panorama_at_a_known_place_makes_the_dome_right),
