@@ -84,7 +84,7 @@ static void nonsense_is_refused_and_nothing_written(void **state)
     (void)state;
     struct cupola_output output = {.position_m = {0.1, 0, 0}};
     struct cupola_error error;
-    double pixel[2] = {7, 8}, there[3] = {0.1, 0, 0}, infinite[3] = {INFINITY, 0, 0};
+    double pixel[2] = {7, 8}, there[3] = {0.1, 0, 0}, infinite[3] = {HUGE_VAL, 0, 0};
     assert_int_equal(cupola_output_pixel(&output, there, pixel, &error), CUPOLA_ERROR_ARGUMENT);
     assert_non_null(strstr(error.message, "where the lens is"));
     assert_int_equal(cupola_output_pixel(&output, infinite, pixel, &error), CUPOLA_ERROR_ARGUMENT);
@@ -117,7 +117,7 @@ static void many_points_are_as_good_as_each_alone(void **state)
     assert_int_equal(cupola_output_pixels(&output, 0, points, pixels, NULL), 0);
     assert_int_equal(cupola_output_pixels(&output, -1, points, pixels, NULL),
                      CUPOLA_ERROR_ARGUMENT);
-    points[4] = NAN;
+    points[4] = nan("");
     assert_int_equal(cupola_output_pixels(&output, 20, points, pixels, NULL),
                      CUPOLA_ERROR_ARGUMENT);
 }
