@@ -41,12 +41,12 @@ struct cupola_viewer_params {
 /* All zero before the first cupola_viewer_start. For reading only. */
 struct cupola_viewer {
     struct cupola_viewer_params params; /* complete */
-    bool started;
-    long reports;           /* taken so far */
-    long refused;           /* by cupola_viewer_report */
-    double time_s;          /* of the last report that was taken */
-    double position_m[3];   /* then, filtered; dome frame; may be out of reach */
-    double velocity_m_s[3]; /* then, filtered */
+    bool started;                       /* cupola_viewer_start was called */
+    long reports;                       /* taken so far */
+    long refused;                       /* by cupola_viewer_report */
+    double time_s;                      /* of the last report that was taken */
+    double position_m[3];               /* then, filtered; dome frame; may be out of reach */
+    double velocity_m_s[3];             /* then, filtered */
 };
 
 /*
