@@ -9,19 +9,11 @@
 
 #include <cupola/rig_file.h>
 
+#include "display.h"
 #include "film_output.h"
 #include "prices.h"
 #include "stats.h"
 #include "window_state.h"
-
-/* GLFW reports errors to a function that gets no pointer of ours. */
-static char glfw_message[300];
-
-static void on_error(int code, const char *text)
-{
-    (void)code;
-    snprintf(glfw_message, sizeof glfw_message, "%s", text);
-}
 
 bool window_change(struct window *window, const struct show_setup *setup)
 {
@@ -45,24 +37,6 @@ bool window_change(struct window *window, const struct show_setup *setup)
     window->show = show;
     window->setup = *setup;
     return true;
-}
-
-/* The version of the best context that a hidden window gets; 0 for none. */
-static int find_version(void)
-{
-    int version = 0;
-    GLFWwindow *handle;
-
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    handle = glfwCreateWindow(16, 16, "cupola-demo", NULL, NULL);
-    if (!handle)
-        return 0;
-    glfwMakeContextCurrent(handle);
-    version = epoxy_gl_version();
-    glfwMakeContextCurrent(NULL);
-    glfwDestroyWindow(handle);
-    return version;
 }
 
 static bool choose_monitor(const struct options *options, GLFWmonitor **monitor, char *message)
@@ -114,35 +88,21 @@ static void choose_size(const struct options *options, const struct cupola_outpu
 static bool open_window(struct window *window, const struct options *options, char *message)
 {
     GLFWmonitor *monitor;
-    int width, height, x, y, version;
+    int width, height, x, y;
 
     if (!choose_monitor(options, &monitor, message))
         return false;
     choose_size(options, &window->setup.rig.outputs[window->setup.output], monitor, &width,
                 &height);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     window->handle =
-        glfwCreateWindow(width, height, "cupola-demo", options->fullscreen ? monitor : NULL, NULL);
-    if (!window->handle) {
-        char reason[sizeof glfw_message];
-        memcpy(reason, glfw_message, sizeof reason);
-        version = find_version();
-        if (version > 0 && version < 33)
-            snprintf(message, MESSAGE_SIZE, "the OpenGL found is %d.%d; needed: 3.3 core or newer",
-                     version / 10, version % 10);
-        else
-            snprintf(message, MESSAGE_SIZE, "no window with OpenGL 3.3 core: %s", reason);
+        display_window("cupola-demo", width, height, options->fullscreen ? monitor : NULL, message);
+    if (!window->handle)
         return false;
-    }
     if (monitor && !options->fullscreen) {
         glfwGetMonitorPos(monitor, &x, &y);
         glfwSetWindowPos(window->handle, x, y);
     }
     memcpy(window->windowed, (int[]){0, 0, width, height}, sizeof window->windowed);
-    glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(options->swap_interval >= 0 ? options->swap_interval : 1);
     glfwSetWindowUserPointer(window->handle, window);
     glfwGetFramebufferSize(window->handle, &window->width, &window->height);
@@ -292,22 +252,6 @@ static bool loop(struct window *window, const struct options *options, struct st
            stats_keep(stats, message);
 }
 
-static bool has_display(char *message)
-{
-    const char *x = getenv("DISPLAY"), *wayland = getenv("WAYLAND_DISPLAY");
-
-    glfwSetErrorCallback(on_error);
-    if (!(x && *x) && !(wayland && *wayland)) {
-        snprintf(message, MESSAGE_SIZE,
-                 "a window needs a display, but neither DISPLAY nor WAYLAND_DISPLAY is set");
-        return false;
-    }
-    if (glfwInit())
-        return true;
-    snprintf(message, MESSAGE_SIZE, "a window needs a display: %s", glfw_message);
-    return false;
-}
-
 int window_run(const struct options *options, const struct show_setup *setup, char *message)
 {
     const struct cupola_lens *lens = &setup->rig.outputs[setup->output].lens;
@@ -316,7 +260,7 @@ int window_run(const struct options *options, const struct show_setup *setup, ch
     struct window *window;
     int status;
 
-    if (!has_display(message)) {
+    if (!display_open(message)) {
         stats_destroy(stats);
         return WINDOW_NO_DISPLAY;
     }

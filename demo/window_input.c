@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "display.h"
 #include "window_state.h"
 
 static const double RADIANS_PER_PX = 0.004;
@@ -67,23 +68,6 @@ static void set_views(struct window *window, int views)
     window_change(window, &wished);
 }
 
-static void toggle_fullscreen(struct window *window)
-{
-    int *place = window->windowed;
-    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
-    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
-
-    if (glfwGetWindowMonitor(window->handle)) {
-        glfwSetWindowMonitor(window->handle, NULL, place[0], place[1], place[2], place[3],
-                             GLFW_DONT_CARE);
-    } else if (mode) {
-        glfwGetWindowPos(window->handle, &place[0], &place[1]);
-        glfwGetWindowSize(window->handle, &place[2], &place[3]);
-        glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height,
-                             mode->refreshRate);
-    }
-}
-
 static void on_key(GLFWwindow *handle, int key, int scancode, int action, int modifiers)
 {
     struct window *window = glfwGetWindowUserPointer(handle);
@@ -126,7 +110,7 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
         eye_path_move(&window->eye, NULL);
         break;
     case GLFW_KEY_F:
-        toggle_fullscreen(window);
+        display_toggle_fullscreen(window->handle, glfwGetPrimaryMonitor(), window->windowed, NULL);
         break;
     case GLFW_KEY_ESCAPE:
         glfwSetWindowShouldClose(handle, GLFW_TRUE);

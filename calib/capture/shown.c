@@ -7,11 +7,8 @@
 
 #include <epoxy/gl.h>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include "capture/light.h"
-#include "option_values.h"
+#include "display.h"
 
 struct shown {
     GLFWwindow *handle;
@@ -21,15 +18,6 @@ struct shown {
     enum shown_wish wish;
     bool started; /* GLFW */
 };
-
-/* GLFW reports errors to a function that gets no pointer of ours. */
-static char glfw_message[300];
-
-static void on_error(int code, const char *text)
-{
-    (void)code;
-    snprintf(glfw_message, sizeof glfw_message, "%s", text);
-}
 
 static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mods)
 {
@@ -81,18 +69,12 @@ static bool open_window(struct shown *shown, int index, bool window, char *messa
 
     if (!choose_monitor(shown, index, window, &monitor, message))
         return false;
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
-    shown->handle = glfwCreateWindow(shown->width, shown->height, "cupola-calib capture",
-                                     window ? NULL : monitor, NULL);
-    if (!shown->handle) {
-        snprintf(message, MESSAGE_SIZE, "no window with OpenGL 3.3 core: %s", glfw_message);
+    shown->handle = display_window("cupola-calib capture", shown->width, shown->height,
+                                   window ? NULL : monitor, message);
+    if (!shown->handle)
         return false;
-    }
-    glfwMakeContextCurrent(shown->handle);
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(shown->handle, shown);
     glfwSetKeyCallback(shown->handle, on_key);
@@ -122,7 +104,6 @@ static void make_texture(struct shown *shown)
 struct shown *shown_create(int width, int height, int monitor, bool window, char *message)
 {
     struct shown *shown = calloc(1, sizeof *shown);
-    const char *x = getenv("DISPLAY"), *wayland = getenv("WAYLAND_DISPLAY");
 
     if (!shown || !(shown->rgba = malloc(4 * (size_t)width * (size_t)height))) {
         snprintf(message, MESSAGE_SIZE, "out of memory for a picture of %dx%d", width, height);
@@ -131,18 +112,10 @@ struct shown *shown_create(int width, int height, int monitor, bool window, char
     }
     shown->width = width;
     shown->height = height;
-    glfwSetErrorCallback(on_error);
-    if (!(x && *x) && !(wayland && *wayland)) {
-        snprintf(message, MESSAGE_SIZE,
-                 "show needs a display, but neither DISPLAY nor WAYLAND_DISPLAY is set");
-    } else if (!glfwInit()) {
-        snprintf(message, MESSAGE_SIZE, "show needs a display: %s", glfw_message);
-    } else {
-        shown->started = true;
-        if (open_window(shown, monitor, window, message)) {
-            make_texture(shown);
-            return shown;
-        }
+    shown->started = display_open(message);
+    if (shown->started && open_window(shown, monitor, window, message)) {
+        make_texture(shown);
+        return shown;
     }
     shown_destroy(shown);
     return NULL;

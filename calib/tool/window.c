@@ -6,11 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include <epoxy/gl.h>
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include "display.h"
 #include "output_file.h"
 #include "status.h"
 #include "tool/stage.h"
@@ -26,40 +22,15 @@ struct window {
     bool dirty; /* to be drawn anew whatever the tool says */
 };
 
-/* GLFW reports errors to a function that gets no pointer of ours. */
-static char glfw_message[300];
-
-static void on_error(int code, const char *text)
-{
-    (void)code;
-    snprintf(glfw_message, sizeof glfw_message, "%s", text);
-}
-
-static GLFWmonitor *monitor_of(int index)
-{
-    int count = 0;
-    GLFWmonitor **monitors = glfwGetMonitors(&count);
-
-    return index >= 0 && index < count ? monitors[index] : NULL;
-}
-
 static void toggle_fullscreen(struct window *window)
 {
-    int *place = window->windowed;
-    GLFWmonitor *monitor = monitor_of(window->monitor);
-    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    const GLFWvidmode *filled;
 
-    if (glfwGetWindowMonitor(window->handle)) {
-        glfwSetWindowMonitor(window->handle, NULL, place[0], place[1], place[2], place[3],
-                             GLFW_DONT_CARE);
-    } else if (mode) {
-        glfwGetWindowPos(window->handle, &place[0], &place[1]);
-        glfwGetWindowSize(window->handle, &place[2], &place[3]);
-        glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height,
-                             mode->refreshRate);
-        /* What fills the projector's monitor has its size. */
-        tool_resize(window->tool, mode->width, mode->height);
-    }
+    display_toggle_fullscreen(window->handle, display_monitor(window->monitor), window->windowed,
+                              &filled);
+    /* What fills the projector's monitor has its size. */
+    if (filled)
+        tool_resize(window->tool, filled->width, filled->height);
     window->dirty = true;
 }
 
@@ -137,44 +108,12 @@ static void listen(struct window *window)
     glfwSetWindowRefreshCallback(window->handle, on_refresh);
 }
 
-/* The version of the best context that a hidden window gets; 0 for none. */
-static int find_version(void)
-{
-    int version;
-    GLFWwindow *handle;
-
-    glfwDefaultWindowHints();
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    handle = glfwCreateWindow(16, 16, "cupola-calib", NULL, NULL);
-    if (!handle)
-        return 0;
-    glfwMakeContextCurrent(handle);
-    version = epoxy_gl_version();
-    glfwMakeContextCurrent(NULL);
-    glfwDestroyWindow(handle);
-    return version;
-}
-
-static void say_refusal(char *message)
-{
-    char reason[sizeof glfw_message];
-    int version;
-
-    memcpy(reason, glfw_message, sizeof reason);
-    version = find_version();
-    if (version > 0 && version < 33)
-        snprintf(message, MESSAGE_SIZE, "the OpenGL found is %d.%d; needed: 3.3 core or newer",
-                 version / 10, version % 10);
-    else
-        snprintf(message, MESSAGE_SIZE, "no window with OpenGL 3.3 core: %s", reason);
-}
-
 static bool choose_monitor(const struct window_wishes *wishes, GLFWmonitor **monitor, char *message)
 {
     int count = 0;
 
     glfwGetMonitors(&count);
-    *monitor = monitor_of(wishes->monitor);
+    *monitor = display_monitor(wishes->monitor);
     if (*monitor || (wishes->width > 0 && wishes->monitor == 0))
         return true;
     if (count == 0)
@@ -201,24 +140,17 @@ static bool open_window(struct window *window, const struct window_wishes *wishe
         width = mode->width;
         height = mode->height;
     }
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     /* The picture stays on the dome while another screen is worked with. */
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
-    window->handle = glfwCreateWindow(width, height, "cupola-calib", fills ? monitor : NULL, NULL);
-    if (!window->handle) {
-        say_refusal(message);
+    window->handle = display_window("cupola-calib", width, height, fills ? monitor : NULL, message);
+    if (!window->handle)
         return false;
-    }
     if (monitor && !fills) {
         glfwGetMonitorPos(monitor, &x, &y);
         glfwSetWindowPos(window->handle, x, y);
     }
     window->monitor = wishes->monitor;
     memcpy(window->windowed, (int[]){0, 0, width, height}, sizeof window->windowed);
-    glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(wishes->swap_interval);
     glfwGetFramebufferSize(window->handle, &window->width, &window->height);
     /* What fills the projector's monitor has its size. */
@@ -300,28 +232,12 @@ static bool loop(struct window *window, const struct window_wishes *wishes, char
     return true;
 }
 
-static bool has_display(char *message)
-{
-    const char *x = getenv("DISPLAY"), *wayland = getenv("WAYLAND_DISPLAY");
-
-    glfwSetErrorCallback(on_error);
-    if (!(x && *x) && !(wayland && *wayland)) {
-        snprintf(message, MESSAGE_SIZE,
-                 "a window needs a display, but neither DISPLAY nor WAYLAND_DISPLAY is set");
-        return false;
-    }
-    if (glfwInit())
-        return true;
-    snprintf(message, MESSAGE_SIZE, "a window needs a display: %s", glfw_message);
-    return false;
-}
-
 int window_run(struct tool *tool, const struct window_wishes *wishes, char *message)
 {
     struct window *window;
     int status = STATUS_FAILED;
 
-    if (!has_display(message))
+    if (!display_open(message))
         return STATUS_FAILED;
     window = calloc(1, sizeof *window);
     if (!window) {

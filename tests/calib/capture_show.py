@@ -40,5 +40,5 @@ with tempfile.TemporaryDirectory() as folder:
     os.environ["DISPLAY"] = ""
     os.environ.pop("WAYLAND_DISPLAY", None)
     said = capture("show", "--patterns", "fits", status=1)
-    assert "show needs a display" in said, said
+    assert "a window needs a display" in said, said
 print("patterns are shown")
