@@ -2,6 +2,7 @@
  * cupola-latency: how long a tracker's report takes to become a picture, as JSON.
  * docs/benchmarks.md explains it.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +26,7 @@ static const char help[] =
     "Usage: cupola-latency [OPTIONS]\n"
     "  --size PX,...   of the output, default 512,1024\n"
     "  --frames N      of each run, default 300\n"
-    "  --rate HZ       of the tracker's reports, default 120\n"
+    "  --rate HZ       of the tracker's reports, default 120; 0: none\n"
     "  --flood HZ      packets a second that are no reports, default 100000\n"
     "  --control       leaves the eye where it is: its frames must not count as proven\n"
     "  --output FILE   JSON, default stdout\n";
@@ -52,7 +53,7 @@ static bool read_option(const char *name, const char *value, struct wishes *wish
     if (strcmp(name, "--frames") == 0)
         return read_whole(value, 1, 100000, &wishes->run.frames);
     if (strcmp(name, "--rate") == 0)
-        return read_number(value, 1, 10000, &wishes->run.rate_hz);
+        return read_number(value, 0, 10000, &wishes->run.rate_hz);
     if (strcmp(name, "--flood") == 0)
         return read_number(value, 0, 1e7, &wishes->flood_hz);
     wishes->output = value;
@@ -77,9 +78,13 @@ static bool read_options(int argc, char **argv, struct wishes *wishes)
     return true;
 }
 
+/* JSON has no other numbers: without a report there is neither. */
 static void put_spread(FILE *file, const char *name, struct spread spread)
 {
-    fprintf(file, "\"%s\": [%.6g, %.6g], ", name, spread.median, spread.high);
+    if (isfinite(spread.median) && isfinite(spread.high))
+        fprintf(file, "\"%s\": [%.6g, %.6g], ", name, spread.median, spread.high);
+    else
+        fprintf(file, "\"%s\": [null, null], ", name);
 }
 
 static void put_run(FILE *file, const struct latency_wishes *wishes,

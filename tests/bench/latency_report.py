@@ -7,8 +7,8 @@ machine did has disturbed the least.
 import json
 import sys
 
-HEAD = """| size, px | reports | port | message to picture | 95 % | newest shown | picture behind head \
-| error | poll, 95 % | frame | lost |
+HEAD = """| size, px | reports | port | message to picture | 95 % | newest shown \
+| picture behind head | error | poll, 95 % | frame | lost |
 |---|---|---|---|---|---|---|---|---|---|---|
 """
 
@@ -32,8 +32,8 @@ def tables(report):
     proven = sum(run["frames"] - run["unproven"] for run in report["runs"])
     frames = sum(run["frames"] for run in report["runs"])
     return (f"{machine['renderer']}, {machine['processors']:.0f} processors, load average "
-            f"{machine['load_average']}; reports {report['runs'][0]['rate_hz']:.0f} times a second; "
-            f"{proven} of {frames} frames show the eye that they should\n\n{HEAD}"
+            f"{machine['load_average']}; reports {report['runs'][0]['rate_hz']:.0f} times a "
+            f"second; {proven} of {frames} frames show the eye that they should\n\n{HEAD}"
             + "\n".join(map(row, report["runs"])) + "\n")
 
 

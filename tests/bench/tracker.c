@@ -133,7 +133,8 @@ struct tracker *tracker_create(const struct tracker_wishes *wishes, char *messag
     tracker->wishes = *wishes;
     tracker->reporter = open_socket(wishes->port);
     tracker->flooder = open_socket(wishes->port);
-    if (tracker->reporter >= 0 && tracker->flooder >= 0 && start(tracker, report) &&
+    if (tracker->reporter >= 0 && tracker->flooder >= 0 &&
+        (!(wishes->rate_hz > 0) || start(tracker, report)) &&
         (!(wishes->flood_hz > 0) || start(tracker, flood)))
         return tracker;
     tracker_destroy(tracker);

@@ -11,7 +11,7 @@ struct tracker;
 
 struct tracker_wishes {
     int port;        /* on 127.0.0.1 */
-    double rate_hz;  /* of reports; intervals vary by a quarter */
+    double rate_hz;  /* of reports; intervals vary by a quarter; 0: none */
     double flood_hz; /* of packets that are no reports; 0: none */
 };
 
