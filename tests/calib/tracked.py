@@ -1,4 +1,6 @@
-"""The tool in a window whose viewer is tracked, and a port that anybody may send to: tracked.py CALIB.
+"""The tool in a window whose viewer is tracked, on a port that anybody may send to.
+
+tracked.py CALIB
 
 Reports move the eye, by which the preview changes, and what is no report does nothing.
 """

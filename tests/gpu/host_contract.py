@@ -1,5 +1,7 @@
-"""Every GL name in the code that saves the host's state stands in the list of docs/host-contract.md,
-and no other. Extensions that the code only looks for may stand in the section on OpenGL ES instead.
+"""Every GL name in the code that saves the host's state stands in docs/host-contract.md.
+
+And no other stands in its list. Extensions that the code only looks for may stand in the section on
+OpenGL ES instead.
 
 host_contract.py HOST_STATE.C... HOST_CONTRACT.MD
 """
@@ -30,5 +32,6 @@ allowed = listed | {name for name in names(es) if name.startswith(("GL_EXT_", "G
 if len(code) < 50:
     sys.exit(f"only {len(code)} GL names found in {sys.argv[1:-1]}")
 if code - allowed or listed - code:
-    sys.exit(f"not in the document: {sorted(code - allowed)}; not in the code: {sorted(listed - code)}")
+    sys.exit(f"not in the document: {sorted(code - allowed)}; "
+             f"not in the code: {sorted(listed - code)}")
 print(f"{len(code)} names")

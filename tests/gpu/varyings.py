@@ -1,7 +1,8 @@
-"""What tiles hand from vertex to fragment shader fits into what every context has: 15 vectors in
-OpenGL ES 3.0 (GL_MAX_VARYING_VECTORS), 60 numbers in OpenGL 3.3. For each kind of tile, with what
-asks for the output's corner (a gain, noise, turned patterns) and without, with cones and without; and
-both shaders declare the same.
+"""What tiles hand from vertex to fragment shader fits into what every context has.
+
+That is 15 vectors in OpenGL ES 3.0 (GL_MAX_VARYING_VECTORS), 60 numbers in OpenGL 3.3. For each
+kind of tile, with what asks for the output's corner (a gain, noise, turned patterns) and without,
+with cones and without; and both shaders declare the same.
 
 varyings.py VERTEX_SHADER FRAGMENT_SHADER EXACT_FRAGMENT_SHADER COMPILER...
 """
