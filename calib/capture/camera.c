@@ -53,11 +53,10 @@ bool camera_parse(const char *option, const char *text, struct camera *camera, c
                          &camera->fov_rad, message);
     }
     model = cupola_lens_model_find(name);
-    if (model < 0 || model == CUPOLA_LENS_POLYNOMIAL || model == CUPOLA_LENS_TABLE)
+    if (model < 0 || model == CUPOLA_LENS_POLYNOMIAL || model == CUPOLA_LENS_TABLE || !colon)
         return refuse(option, text, message);
     camera->fisheye.lens.model = (enum cupola_lens_model)model;
-    if (colon &&
-        !parse_fov(option, colon + 1, (struct number_range){.low = 1, .high = 360, .degrees = true},
+    if (!parse_fov(option, colon + 1, (struct number_range){.low = 1, .high = 360, .degrees = true},
                    &camera->fisheye.lens.fov_rad, message))
         return false;
     if (cupola_lens_validate(&camera->fisheye.lens, &error) >= 0)

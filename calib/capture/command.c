@@ -77,12 +77,29 @@ int capture_camera(const struct capture_options *options, const struct cupola_ri
     return STATUS_OK;
 }
 
+static bool write_pattern(const struct capture_options *options, const struct series *series,
+                          int number, char *message)
+{
+    char name[SERIES_NAME_MAX + 1], path[PATH_MAX];
+    struct photo picture;
+    bool done;
+
+    series_name(series, number, name);
+    if (!folder_path(options->folder, name, ".png", path, message) ||
+        !capture_picture(series, number, &picture, message))
+        return false;
+    done = photo_write(path, &picture, PHOTO_PNG8, message);
+    photo_free(&picture);
+    return done;
+}
+
 int capture_patterns(const struct capture_options *options, char *message)
 {
     struct cupola_rig rig;
     int status = capture_rig(options, &rig, message);
     const struct cupola_output *output = &rig.outputs[options->projector];
     struct series series;
+    struct named_file rig_file;
 
     if (status != STATUS_OK)
         return status;
@@ -92,19 +109,14 @@ int capture_patterns(const struct capture_options *options, char *message)
                                         : series_period_for(output->width_px, output->height_px),
         .steps = options->steps,
     };
-    if (!folder_make("--folder", options->folder, message))
+    rig_file = (struct named_file){.name = "--rig", .path = options->rig};
+    if (!folder_differs("a picture", options->folder, ".png", true, &series, &rig_file, 1, message))
+        return STATUS_USAGE;
+    if (!folder_is_for("--folder", options->folder, ".png", &series, message) ||
+        !folder_make("--folder", options->folder, message))
         return STATUS_FAILED;
     for (int i = 0; i < series_count(&series); i++) {
-        char name[SERIES_NAME_MAX + 1], path[PATH_MAX];
-        struct photo picture;
-        bool done;
-        series_name(&series, i, name);
-        if (!folder_path(options->folder, name, ".png", path, message) ||
-            !capture_picture(&series, i, &picture, message))
-            return STATUS_FAILED;
-        done = photo_write(path, &picture, PHOTO_PNG8, message);
-        photo_free(&picture);
-        if (!done)
+        if (!write_pattern(options, &series, i, message))
             return STATUS_FAILED;
     }
     if (!folder_write_series(options->folder, &series, message))

@@ -8,12 +8,11 @@
 
 #include "capture/code_map.h"
 #include "capture/command.h"
-#include "capture/folder.h"
 #include "capture/patches.h"
+#include "capture/photo_list.h"
 #include "capture/pose.h"
 #include "option_values.h"
 #include "output_file.h"
-#include "short_path.h"
 #include "status.h"
 
 static const double DEGREES = 180 / 3.14159265358979323846;
@@ -22,7 +21,7 @@ struct decoding {
     const struct capture_options *options;
     struct cupola_rig rig;
     struct series series;
-    struct folder_photos photos; /* none where they were given by name */
+    struct photo_list photos;
     struct marks references;
     struct code_map map;
     struct patches patches;
@@ -32,64 +31,17 @@ struct decoding {
     int beyond; /* patches that are not on the screen */
 };
 
-/* The first picture of which no photograph has the name; -1: the names are of another kind. */
-static int find_missing(const struct decoding *decoding, char *const *paths, int count)
-{
-    int missing = -1, found = 0, all = series_count(&decoding->series);
-
-    for (int i = 0; i < all; i++) {
-        char name[SERIES_NAME_MAX + 1];
-        bool there = false;
-        series_name(&decoding->series, i, name);
-        for (int k = 0; k < count; k++) {
-            const char *slash = strrchr(paths[k], '/');
-            const char *base = slash ? slash + 1 : paths[k];
-            there |= strncmp(base, name, strlen(name)) == 0 && base[strlen(name)] == '.';
-        }
-        found += there;
-        if (!there && missing < 0)
-            missing = i;
-    }
-    return found > all / 2 ? missing : -1;
-}
-
-static bool check_photos(const struct decoding *decoding, char *const *paths, int count,
-                         char *message)
-{
-    int all = series_count(&decoding->series), missing;
-    char name[SERIES_NAME_MAX + 1], reason[100] = "";
-
-    if (count == all)
-        return true;
-    missing = find_missing(decoding, paths, count);
-    if (missing >= 0) {
-        series_name(&decoding->series, missing, name);
-        snprintf(reason, sizeof reason, "; none is called %s", name);
-    }
-    snprintf(message, MESSAGE_SIZE,
-             "%d photographs; allowed: %d, one of each pattern, in the order of the patterns%s",
-             count, all, reason);
-    return false;
-}
-
 static int read_photos(struct decoding *decoding, char *message)
 {
     const struct capture_options *options = decoding->options;
     struct code_settings settings = {
         .series = &decoding->series,
-        .paths = options->photos,
+        .paths = decoding->photos.paths,
         .encoding = options->linear ? PHOTO_LINEAR : PHOTO_SRGB,
         .least_contrast = options->contrast,
     };
-    int count = options->photo_count;
 
-    if (options->folder) {
-        if (!folder_list(options->folder, &decoding->photos, message))
-            return STATUS_FAILED;
-        settings.paths = decoding->photos.paths;
-        count = decoding->photos.count;
-    }
-    if (!check_photos(decoding, settings.paths, count, message) ||
+    if (!photo_list_check(&decoding->photos, &decoding->series, message) ||
         !code_map_read(&settings, &decoding->map, message))
         return STATUS_FAILED;
     return STATUS_OK;
@@ -247,12 +199,12 @@ static int write_results(struct decoding *decoding, char *message)
     struct cupola_rig rig = decoding->rig;
     struct cupola_error error = {0};
 
+    if (!marks_write(options->output, &decoding->marks, message))
+        return STATUS_FAILED;
     printf("marks: %d in %s, places known to %.2g px (median); left out: %d beyond the screen, %d "
            "where too little is decoded, %d where places are not smooth\n",
            decoding->marks.count, options->output, median_sd_px(&decoding->patches),
            decoding->beyond, decoding->patches.thin, decoding->patches.rough);
-    if (!marks_write(options->output, &decoding->marks, message))
-        return STATUS_FAILED;
     if (!options->solved)
         return STATUS_OK;
     rig.outputs[options->projector] = decoding->pose.projector;
@@ -262,8 +214,9 @@ static int write_results(struct decoding *decoding, char *message)
     return STATUS_FAILED;
 }
 
-static int check(const struct capture_options *options, char *message)
+static int check(struct decoding *decoding, char *message)
 {
+    const struct capture_options *options = decoding->options;
     const char *wants = options->free ? "--camera-free" : options->solved ? "--solved" : NULL;
 
     if (wants && !options->references) {
@@ -274,6 +227,10 @@ static int check(const struct capture_options *options, char *message)
                  wants);
         return STATUS_USAGE;
     }
+    if (!photo_list_find(options, &decoding->photos, message))
+        return STATUS_FAILED;
+    if (!photo_list_differs(&decoding->photos, options, message))
+        return STATUS_USAGE;
     if (!output_file_check("--output", options->output, message) ||
         (options->solved && !output_file_check("--solved", options->solved, message)))
         return STATUS_FAILED;
@@ -284,7 +241,7 @@ static int decode(struct decoding *decoding, char *message)
 {
     const struct capture_options *options = decoding->options;
     const char *patterns = options->patterns ? options->patterns : options->folder;
-    int status = check(options, message);
+    int status = check(decoding, message);
 
     if (status == STATUS_OK)
         status = capture_rig(options, &decoding->rig, message);
@@ -316,7 +273,7 @@ int capture_decode(const struct capture_options *options, char *message)
     struct decoding decoding = {.options = options};
     int status = decode(&decoding, message);
 
-    folder_photos_free(&decoding.photos);
+    photo_list_free(&decoding.photos);
     marks_free(&decoding.references);
     code_map_free(&decoding.map);
     patches_free(&decoding.patches);

@@ -154,6 +154,9 @@ struct device *device_open(const char *path, int width, int height, char *messag
     memcpy(device->name, short_path(path).text, sizeof device->name);
     for (int i = 0; i < 256; i++)
         device->light[i] = light_decode(i / 255.0);
+    /* libv4l2 would print lines of its own beside the message. */
+    if (!v4l2_log_file)
+        v4l2_log_file = fopen("/dev/null", "w");
     device->file = v4l2_open(path, O_RDWR | O_NONBLOCK);
     if (device->file < 0)
         fail(device, message, "cannot be opened");

@@ -11,6 +11,7 @@
 
 #include "capture/photo.h"
 #include "option_values.h"
+#include "same_file.h"
 #include "short_path.h"
 #include "whole_file.h"
 
@@ -30,6 +31,17 @@ bool folder_make(const char *option, const char *folder, char *message)
         return true;
     snprintf(message, MESSAGE_SIZE, "%s: %s cannot be written to: %s", option,
              short_path(folder).text, strerror(errno));
+    return false;
+}
+
+bool folder_is_another(const char *folder, const char *patterns, char *message)
+{
+    if (!folder || !patterns || !same_file(patterns, folder))
+        return true;
+    snprintf(message, MESSAGE_SIZE,
+             "--patterns and --folder are the same folder, %s; allowed: a folder of their own for "
+             "the photographs",
+             short_path(folder).text);
     return false;
 }
 
@@ -61,6 +73,69 @@ bool folder_write_series(const char *folder, const struct series *series, char *
     return whole_file_end(&file, message);
 }
 
+static bool file_differs(const char *option, const char *path, bool written,
+                         const struct named_file *others, int count, char *message)
+{
+    for (int i = 0; i < count; i++) {
+        const struct named_file pair[] = {others[i],
+                                          {.name = option, .path = path, .written = written}};
+        if (!named_files_differ(pair, 2, message))
+            return false;
+    }
+    return true;
+}
+
+bool folder_differs(const char *option, const char *folder, const char *suffix, bool written,
+                    const struct series *series, const struct named_file *others, int count,
+                    char *message)
+{
+    char path[PATH_MAX], name[SERIES_NAME_MAX + 1];
+
+    if (!folder_path(folder, series_file, ".txt", path, message) ||
+        !file_differs(option, path, written, others, count, message))
+        return false;
+    for (int i = 0; i < series_count(series); i++) {
+        series_name(series, i, name);
+        if (!folder_path(folder, name, suffix, path, message) ||
+            !file_differs(option, path, written, others, count, message))
+            return false;
+    }
+    return true;
+}
+
+static bool is_of_series(const struct series *series, const char *base, const char *suffix)
+{
+    char name[SERIES_NAME_MAX + 1];
+
+    for (int i = 0; i < series_count(series); i++) {
+        series_name(series, i, name);
+        if (strncmp(base, name, strlen(name)) == 0 && strcmp(base + strlen(name), suffix) == 0)
+            return true;
+    }
+    return false;
+}
+
+bool folder_is_for(const char *option, const char *folder, const char *suffix,
+                   const struct series *series, char *message)
+{
+    DIR *directory = opendir(folder);
+    struct dirent *entry;
+    bool done = true;
+
+    while (directory && done && (entry = readdir(directory))) {
+        done = entry->d_name[0] == '.' || !photo_is_named(entry->d_name) ||
+               is_of_series(series, entry->d_name, suffix);
+        if (!done)
+            snprintf(message, MESSAGE_SIZE,
+                     "%s: %s has %.100s, which is not of this series; allowed: a folder without "
+                     "pictures, or with those that are written anew",
+                     option, short_path(folder).text, entry->d_name);
+    }
+    if (directory)
+        closedir(directory);
+    return done;
+}
+
 struct series_key {
     const char *name;
     int low, high;
@@ -82,6 +157,10 @@ static bool read_line(const char *path, int number, char *line, struct series_ke
             if (strcmp(name, keys[i].name) != 0)
                 continue;
             snprintf(option, sizeof option, "%s:%d: %s", short_path(path).text, number, name);
+            if (keys[i].seen) {
+                snprintf(message, MESSAGE_SIZE, "%s is there twice; allowed: once", option);
+                return false;
+            }
             keys[i].seen = true;
             return value_integer(&context, text, keys[i].low, keys[i].high, keys[i].value);
         }
@@ -119,6 +198,11 @@ static bool read_series(FILE *file, const char *path, struct series *series, cha
     int count = (int)(sizeof keys / sizeof *keys);
 
     for (int number = 1; fgets(line, sizeof line, file); number++) {
+        if (strlen(line) == sizeof line - 1 && line[sizeof line - 2] != '\n') {
+            snprintf(message, MESSAGE_SIZE, "%s:%d: the line is too long; allowed: %d bytes",
+                     short_path(path).text, number, (int)sizeof line - 2);
+            return false;
+        }
         if (!read_line(path, number, line, keys, count, message))
             return false;
     }

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "capture/folder.h"
 #include "capture/pose.h"
 #include "capture/series.h"
 #include "option_paths.h"
@@ -141,6 +142,15 @@ static bool take_position(const struct value_context *context, const char *text,
     return value_numbers(context, text, "X,Y,Z", range, 3, 3, options->position_m);
 }
 
+/* Of photographs that decode would take. */
+static bool take_photo_size(const struct value_context *context, const char *text,
+                            struct capture_options *options)
+{
+    return value_size(context, text, &options->width, &options->height) &&
+           photo_size_is_allowed(context->option, options->width, options->height,
+                                 context->message);
+}
+
 static bool take_period(const struct value_context *context, const char *text,
                         struct capture_options *options)
 {
@@ -199,16 +209,33 @@ static bool take_number(enum name name, const struct value_context *context, con
     return value_number(context, text, ranges[name], number);
 }
 
-static bool take(enum name name, const struct value_context *context, const char *text,
-                 struct capture_options *options)
+/* Options of one whole number; all others have one with a fraction. */
+static bool take_integer(enum name name, const struct value_context *context, const char *text,
+                         struct capture_options *options)
 {
     switch (name) {
-    case HELP:
-        return options->help = true;
-    case WINDOW:
-        return options->window = true;
-    case LINEAR:
-        return options->linear = true;
+    case PROJECTOR:
+        return value_integer(context, text, 0, CUPOLA_OUTPUTS_MAX - 1, &options->projector);
+    case STEPS:
+        return value_integer(context, text, SERIES_STEPS_MIN, SERIES_STEPS_MAX, &options->steps);
+    case MONITOR:
+        return value_integer(context, text, 0, 63, &options->monitor);
+    case SHOTS:
+        return value_integer(context, text, 1, 1000, &options->shots);
+    case SETTLE:
+        return value_integer(context, text, 0, 1000, &options->settle);
+    case MARKS:
+        return value_integer(context, text, 12, 5000, &options->marks);
+    default:
+        return take_number(name, context, text, options);
+    }
+}
+
+/* Options that name a file or a folder, and those of numbers. */
+static bool take_file(enum name name, const struct value_context *context, const char *text,
+                      struct capture_options *options)
+{
+    switch (name) {
     case RIG:
         return value_path(context, text, &options->rig);
     case FOLDER:
@@ -223,25 +250,28 @@ static bool take(enum name name, const struct value_context *context, const char
         return value_path(context, text, &options->solved);
     case REFERENCES:
         return value_path(context, text, &options->references);
+    default:
+        return take_integer(name, context, text, options);
+    }
+}
+
+static bool take(enum name name, const struct value_context *context, const char *text,
+                 struct capture_options *options)
+{
+    switch (name) {
+    case HELP:
+        return options->help = true;
+    case WINDOW:
+        return options->window = true;
+    case LINEAR:
+        return options->linear = true;
     case CAMERA:
         options->camera = text;
         return true;
-    case PROJECTOR:
-        return value_integer(context, text, 0, CUPOLA_OUTPUTS_MAX - 1, &options->projector);
-    case STEPS:
-        return value_integer(context, text, SERIES_STEPS_MIN, SERIES_STEPS_MAX, &options->steps);
-    case MONITOR:
-        return value_integer(context, text, 0, 63, &options->monitor);
-    case SHOTS:
-        return value_integer(context, text, 1, 1000, &options->shots);
-    case SETTLE:
-        return value_integer(context, text, 0, 1000, &options->settle);
-    case MARKS:
-        return value_integer(context, text, 12, 5000, &options->marks);
     case FREE:
         return pose_free_parse(context->option, text, &options->free, context->message);
     case PHOTO_SIZE:
-        return value_size(context, text, &options->width, &options->height);
+        return take_photo_size(context, text, options);
     case PERIOD:
         return take_period(context, text, options);
     case CIRCLE:
@@ -255,12 +285,13 @@ static bool take(enum name name, const struct value_context *context, const char
     case SEED:
         return take_seed(context, text, options);
     default:
-        return take_number(name, context, text, options);
+        return take_file(name, context, text, options);
     }
 }
 
 static bool check(const struct capture_options *options, const bool *given, char *message)
 {
+    const char *problem = NULL;
     int bit = 1 << options->command;
 
     for (int i = 0; i < NAMES; i++) {
@@ -278,26 +309,17 @@ static bool check(const struct capture_options *options, const bool *given, char
                  options->photos[0]);
         return false;
     }
-    if (options->command == CAPTURE_DECODE && !options->photo_count == !options->folder) {
-        snprintf(message, MESSAGE_SIZE,
-                 "decode needs photographs: either their names in order or "
-                 "--folder DIR, not both");
-        return false;
-    }
-    if (options->command == CAPTURE_DECODE && !options->patterns && !options->folder) {
-        snprintf(message, MESSAGE_SIZE,
-                 "--patterns is missing; decode needs it where photographs "
-                 "are given by name");
-        return false;
-    }
-    if (given[SHOTS] > given[DEVICE] || given[SETTLE] > given[DEVICE] ||
-        (options->command == CAPTURE_SHOW && given[DEVICE] != given[FOLDER])) {
-        snprintf(message, MESSAGE_SIZE,
-                 "--shots, --settle and --folder of show need --device, "
-                 "and --device needs --folder");
-        return false;
-    }
-    return true;
+    if (options->command == CAPTURE_DECODE && !options->photo_count == !options->folder)
+        problem = "decode needs photographs: either their names in order or --folder DIR, not both";
+    else if (options->command == CAPTURE_DECODE && !options->patterns && !options->folder)
+        problem = "--patterns is missing; decode needs it where photographs are given by name";
+    else if (given[SHOTS] > given[DEVICE] || given[SETTLE] > given[DEVICE] ||
+             (options->command == CAPTURE_SHOW && given[DEVICE] != given[FOLDER]))
+        problem = "--shots, --settle and --folder of show need --device, and --device needs "
+                  "--folder";
+    if (problem)
+        snprintf(message, MESSAGE_SIZE, "%s", problem);
+    return !problem;
 }
 
 static bool read_all(int argc, char **argv, struct capture_options *options, bool *given,
@@ -361,7 +383,9 @@ int capture_options_parse(int argc, char **argv, struct capture_options *options
     opterr = 0;
     if (!read_all(argc - 1, argv + 1, options, given, message))
         return STATUS_USAGE;
-    if (options->help || check(options, given, message))
+    if (options->help || (check(options, given, message) &&
+                          (options->command == CAPTURE_DECODE ||
+                           folder_is_another(options->folder, options->patterns, message))))
         return STATUS_OK;
     return STATUS_USAGE;
 }

@@ -8,7 +8,8 @@
 #include "capture/surface_fit.h"
 #include "option_values.h"
 
-enum { HALF_MIN = 4, HALF_MAX = 40 };
+/* Squares do not overlap: a cell has room for the smallest. */
+enum { HALF_MIN = 4, HALF_MAX = 40, CELL_MIN = 2 * HALF_MIN + 1 };
 
 /* Of a square's pixels, at least this part is decoded and this part kept by the surface. */
 static const double least_decoded = 0.6, least_kept = 0.7;
@@ -64,8 +65,8 @@ static struct squares squares_begin(const struct code_map *map, double cell)
         .map = map,
         .cell = cell,
         .half = half_side(map, cell),
-        .columns = (int)ceil(map->width / cell),
-        .rows = (int)ceil(map->height / cell),
+        .columns = (int)fmax(floor(map->width / cell), 1),
+        .rows = (int)fmax(floor(map->height / cell), 1),
     };
 }
 
@@ -108,13 +109,13 @@ static double find_cell(const struct code_map *map, int wanted)
     double most = map->width > map->height ? map->width : map->height;
 
     for (int round = 0; round < 6; round++) {
-        int count = count_full(map, fmax(cell, 4));
+        int count = count_full(map, fmax(cell, CELL_MIN));
         double factor = sqrt(fmax(count, 0.25) / wanted);
         if (fabs(factor - 1) < 0.01)
             break;
         cell *= fmin(fmax(factor, 0.5), 2);
     }
-    return fmin(fmax(cell, 4), most);
+    return fmin(fmax(cell, CELL_MIN), most);
 }
 
 /* The square's samples, from the middle of those that are decoded, which is `middle`. */

@@ -15,6 +15,8 @@
 #include "option_values.h"
 #include "short_path.h"
 
+static const char allowed_text[] = "allowed: PNG, JPEG, PFM";
+
 void photo_free(struct photo *photo)
 {
     free(photo->light);
@@ -49,6 +51,16 @@ bool photo_cuts_off(const char *name)
     return !ends_with(name, ".pfm");
 }
 
+bool photo_size_is_allowed(const char *name, int width, int height, char *message)
+{
+    if (width <= PHOTO_SIDE_MAX && height <= PHOTO_SIDE_MAX &&
+        (double)width * height <= PHOTO_PIXELS_MAX)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "%s is %d x %d px; allowed: up to %d each way and %d in all",
+             name, width, height, PHOTO_SIDE_MAX, PHOTO_PIXELS_MAX);
+    return false;
+}
+
 static bool read_pfm(const char *path, struct photo *photo, char *message)
 {
     struct cupola_error error = {0};
@@ -59,7 +71,8 @@ static bool read_pfm(const char *path, struct photo *photo, char *message)
         snprintf(message, MESSAGE_SIZE, "%s", error.message);
         return false;
     }
-    if (!photo_create(photo, width, height, message)) {
+    if (!photo_size_is_allowed(short_path(path).text, width, height, message) ||
+        !photo_create(photo, width, height, message)) {
         cupola_image_free(&rgba);
         return false;
     }
@@ -67,16 +80,6 @@ static bool read_pfm(const char *path, struct photo *photo, char *message)
         photo->light[i] = (rgba[4 * i] + rgba[4 * i + 1] + rgba[4 * i + 2]) / 3;
     cupola_image_free(&rgba);
     return true;
-}
-
-static bool size_is_allowed(const char *path, int width, int height, char *message)
-{
-    if (width <= PHOTO_SIDE_MAX && height <= PHOTO_SIDE_MAX &&
-        (double)width * height <= PHOTO_PIXELS_MAX)
-        return true;
-    snprintf(message, MESSAGE_SIZE, "%s is %d x %d px; allowed: up to %d each way and %d in all",
-             short_path(path).text, width, height, PHOTO_SIDE_MAX, PHOTO_PIXELS_MAX);
-    return false;
 }
 
 /* The light of every number that 8 or 16 bits hold; NULL without memory. */
@@ -113,6 +116,18 @@ static bool decode(const uint16_t *shorts, const unsigned char *bytes, enum phot
     return true;
 }
 
+/* PNG or JPEG by its first bytes: of all that stb reads these alone hold photographs. */
+static bool is_known(FILE *file)
+{
+    static const unsigned char png[] = {0x89, 'P', 'N', 'G'}, jpeg[] = {0xff, 0xd8, 0xff};
+    unsigned char first[4] = {0};
+    size_t count = fread(first, 1, sizeof first, file);
+
+    rewind(file);
+    return count == sizeof first &&
+           (memcmp(first, png, sizeof png) == 0 || memcmp(first, jpeg, sizeof jpeg) == 0);
+}
+
 static bool read_stb(FILE *file, const char *path, enum photo_encoding encoding,
                      struct photo *photo, char *message)
 {
@@ -121,16 +136,20 @@ static bool read_stb(FILE *file, const char *path, enum photo_encoding encoding,
     uint16_t *shorts = NULL;
     bool done = false;
 
-    if (stbi_info_from_file(file, &width, &height, NULL) &&
-        !size_is_allowed(path, width, height, message))
+    if (!is_known(file) || !stbi_info_from_file(file, &width, &height, NULL)) {
+        snprintf(message, MESSAGE_SIZE, "%s cannot be read (no PNG or JPEG); %s",
+                 short_path(path).text, allowed_text);
+        return false;
+    }
+    if (!photo_size_is_allowed(short_path(path).text, width, height, message))
         return false;
     if (stbi_is_16_bit_from_file(file))
         shorts = stbi_load_from_file_16(file, &width, &height, NULL, 3);
     else
         bytes = stbi_load_from_file(file, &width, &height, NULL, 3);
     if (!shorts && !bytes) {
-        snprintf(message, MESSAGE_SIZE, "%s cannot be read (%s); allowed: PNG, JPEG, PFM",
-                 short_path(path).text, stbi_failure_reason());
+        snprintf(message, MESSAGE_SIZE, "%s cannot be read (%s); %s", short_path(path).text,
+                 stbi_failure_reason(), allowed_text);
         return false;
     }
     if (photo_create(photo, width, height, message)) {

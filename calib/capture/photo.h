@@ -37,6 +37,9 @@ const char *photo_suffix(enum photo_format format);
 bool photo_create(struct photo *photo, int width, int height, char *message);
 bool photo_read(const char *path, enum photo_encoding encoding, struct photo *photo, char *message);
 
+/* Whether a photograph may be of this size; the message begins with `name`. */
+bool photo_size_is_allowed(const char *name, int width, int height, char *message);
+
 /* As grey, whole or not at all. */
 bool photo_write(const char *path, const struct photo *photo, enum photo_format format,
                  char *message);

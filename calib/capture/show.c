@@ -79,7 +79,8 @@ static bool photograph_all(struct showing *showing, char *message)
     bool held = false;
     int count = series_count(&showing->series);
 
-    if (!folder_make("--folder", options->folder, message))
+    if (!folder_is_for("--folder", options->folder, ".png", &showing->series, message) ||
+        !folder_make("--folder", options->folder, message))
         return false;
     showing->device = device_open(options->device, options->width, options->height, message);
     if (!showing->device || !show_number(showing, 0, message) ||

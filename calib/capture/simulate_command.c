@@ -90,6 +90,30 @@ static int take_all(const struct simulation *simulation, const struct series *se
     return done ? STATUS_OK : STATUS_FAILED;
 }
 
+/* No file is written over another, and the folder holds nothing else afterwards. */
+static int check_files(const struct capture_options *options, const struct series *series,
+                       char *message)
+{
+    const char *suffix = photo_suffix(options->format);
+    const struct named_file others[] = {
+        {.name = "--rig", .path = options->rig},
+        {.name = "--references", .path = options->references, .written = true},
+    };
+    enum { OTHERS = sizeof others / sizeof *others };
+
+    if (!named_files_differ(others, OTHERS, message) ||
+        !folder_differs("a photograph", options->folder, suffix, true, series, others, OTHERS,
+                        message) ||
+        !folder_differs("a pattern", options->patterns, ".png", false, series, others, OTHERS,
+                        message))
+        return STATUS_USAGE;
+    if (!folder_is_for("--folder", options->folder, suffix, series, message) ||
+        !folder_make("--folder", options->folder, message) ||
+        (options->references && !output_file_check("--references", options->references, message)))
+        return STATUS_FAILED;
+    return STATUS_OK;
+}
+
 int capture_simulate(const struct capture_options *options, char *message)
 {
     struct cupola_rig rig;
@@ -114,10 +138,8 @@ int capture_simulate(const struct capture_options *options, char *message)
         status = capture_series(options->patterns, &rig, options->projector, &series, message);
     if (status == STATUS_OK)
         status = capture_camera(options, &rig, width, height, &camera, message);
-    if (status == STATUS_OK &&
-        (!folder_make("--folder", options->folder, message) ||
-         (options->references && !output_file_check("--references", options->references, message))))
-        status = STATUS_FAILED;
+    if (status == STATUS_OK)
+        status = check_files(options, &series, message);
     if (status == STATUS_OK)
         status = take_all(&simulation, &series, options, message);
     if (status == STATUS_OK && !folder_write_series(options->folder, &series, message))

@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "named_files.h"
 #include "option_paths.h"
 #include "output_file.h"
-#include "same_file.h"
 #include "short_path.h"
 #include "solve/solve.h"
 #include "status.h"
@@ -121,32 +121,18 @@ static bool check_clashes(const struct solve_options *options, char *message)
 
     if (output && snprintf(backup, sizeof backup, "%s.bak", output) >= (int)sizeof backup)
         backup[0] = 0;
-    const struct {
-        const char *name, *path;
-        bool written;
-    } files[] = {
-        {"MARKS.csv", options->marks, false},
-        {"--rig", options->rig, false},
-        {"--output", output, true},
-        {"--output (what was there)", *backup ? backup : NULL, true},
-        {"--json", is_standard_output(options->json) ? NULL : options->json, true},
-        {"--plot", options->plot, true},
+    const struct named_file files[] = {
+        {.name = "--rig", .path = options->rig},
+        {.name = "MARKS.csv", .path = options->marks},
+        {"--output", output, true, true},
+        {"--output (what was there)", *backup ? backup : NULL, true, true},
+        {.name = "--json",
+         .path = is_standard_output(options->json) ? NULL : options->json,
+         .written = true},
+        {.name = "--plot", .path = options->plot, .written = true},
     };
-    enum { COUNT = sizeof files / sizeof *files };
 
-    for (int i = 0; i < COUNT; i++) {
-        for (int j = i + 1; j < COUNT; j++) {
-            bool in_place = i == 1 && (j == 2 || j == 3);
-            if (!files[i].path || !files[j].path || !files[j].written || in_place ||
-                !same_file(files[i].path, files[j].path))
-                continue;
-            snprintf(message, MESSAGE_SIZE,
-                     "%s and %s are the same file, %s; allowed: files of their own", files[i].name,
-                     files[j].name, short_path(files[j].path).text);
-            return false;
-        }
-    }
-    return true;
+    return named_files_differ(files, (int)(sizeof files / sizeof *files), message);
 }
 
 static bool check(const struct solve_options *options, char *message)

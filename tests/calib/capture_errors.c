@@ -4,6 +4,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <cupola/rig_file.h>
+
 #include "capture/folder.h"
 #include "capture/photo.h"
 #include "capture_fixture.h"
@@ -78,6 +80,10 @@ static void test_wrong_command_lines_are_refused(void **state)
         {DECODE "one.png two.png", "--patterns is missing"},
         {DECODE "--folder right --marks 3", "12 to 5000"},
         {DECODE "--folder right --contrast 0", "above 0"},
+        {DECODE "--folder right --camera angular", "'angular' is not allowed; allowed: "},
+        {"simulate --rig r.cfg --patterns right --folder s --camera angular:180 --photo-size "
+         "20000x10",
+         "--photo-size is 20000 x 10 px; allowed: up to 16384 each way"},
         {DECODE "--folder right --camera fish", "'fish' is not allowed"},
         {DECODE "--folder right --camera rectilinear:60 --camera-circle 1,2,3", "is for a fisheye"},
         {DECODE "--folder right --camera-circle 1,2,0", "radius of 0"},
@@ -112,6 +118,59 @@ static void test_wrong_files_are_refused(void **state)
            "00-white.png");
 }
 
+static void test_no_file_is_written_over_another(void **state)
+{
+    char message[MESSAGE_SIZE];
+    struct cupola_rig rig;
+    static const char *const wrong[][2] = {
+        {DECODE "--folder right --output r.cfg", "--rig and --output are the same file, r.cfg"},
+        {DECODE "--folder right --references r.csv --output ./r.csv", "--references and --output"},
+        {DECODE "--folder right --references r.csv --output s --solved s", "--output and --solved"},
+        {DECODE "--folder right --references r.csv --solved r.csv", "--references and --solved"},
+        {DECODE "--folder right --output right/00-white.pfm", "--output and a photograph"},
+        {"simulate --rig r.cfg --patterns right --folder right --camera angular:180",
+         "--patterns and --folder are the same folder, right"},
+        {"simulate --rig r.cfg --patterns right --folder s --camera angular:180 --references r.cfg",
+         "--rig and --references"},
+        {"simulate --rig r.cfg --patterns right --folder s --camera angular:180 "
+         "--references right/00-white.png",
+         "--references and a pattern"},
+        {"show --patterns right --device /dev/video0 --folder right/", "the same folder"},
+        {"patterns --rig patterns.txt --folder .", "--rig and a picture are the same file"},
+    };
+
+    (void)state;
+    capture_write_rig("patterns.txt",
+                      &(struct cupola_rig){.outputs = {{.width_px = 64, .height_px = 48}}});
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        refuse(wrong[i][0], USAGE, wrong[i][1]);
+    /* The control: the rig alone may be changed in place, and nothing was. */
+    refuse(DECODE "--folder right --references none.csv --solved r.cfg", FAILED, "none.csv");
+    assert_int_equal(cupola_rig_read("r.cfg", NULL, &rig, NULL), 0);
+    if (capture_run("patterns --rig r.cfg --folder fresh", message) != 0)
+        fail_msg("%s", message);
+}
+
+static void test_a_folder_is_for_one_series(void **state)
+{
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    assert_int_equal(capture_run("patterns --rig r.cfg --folder long --period 8", message), 0);
+    refuse("patterns --rig r.cfg --folder long --period 32", FAILED,
+           "which is not of this series; allowed: a folder without pictures");
+    /* The control: the same series is written anew. */
+    assert_int_equal(capture_run("patterns --rig r.cfg --folder long --period 8", message), 0);
+    refuse("simulate --rig r.cfg --patterns long --folder right --camera angular:180", FAILED,
+           "right has ");
+    assert_int_equal(rename("long/patterns.txt", "long/kept"), 0);
+    assert_int_equal(capture_run("patterns --rig r.cfg --folder short --period 8", message), 0);
+    assert_int_equal(link("short/00-white.png", "short/holiday.png"), 0);
+    refuse("decode --rig r.cfg --camera angular:180 --output m.csv --folder short", FAILED,
+           "27 photographs; allowed: 26, one of each pattern, in the order of the patterns; "
+           "short/holiday.png is called as none of them is");
+}
+
 static void test_dark_and_broken_photographs_are_said(void **state)
 {
     char message[MESSAGE_SIZE];
@@ -124,6 +183,13 @@ static void test_dark_and_broken_photographs_are_said(void **state)
     assert_true(photo_write("mixed/07-x-inverse-2.pfm", &photo, PHOTO_PFM, message));
     photo_free(&photo);
     refuse(DECODE "--folder mixed", FAILED, "07-x-inverse-2.pfm is 59 x 48 px; allowed: 60 x 48");
+    assert_int_equal(rename("mixed/01-black.pfm", "kept"), 0);
+    file = fopen("mixed/01-black.png", "w");
+    fputs("GIF89a and what follows", file);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "01-black.png cannot be read (no PNG or JPEG)");
+    assert_int_equal(remove("mixed/01-black.png"), 0);
+    assert_int_equal(rename("kept", "mixed/01-black.pfm"), 0);
     file = fopen("mixed/07-x-inverse-2.pfm", "w");
     fputs("no picture", file);
     fclose(file);
@@ -132,6 +198,14 @@ static void test_dark_and_broken_photographs_are_said(void **state)
     fputs("version = 1\nwidth_px = 64\nheight_px = 48\nsteps = 4\n", file);
     fclose(file);
     refuse(DECODE "--folder mixed", FAILED, "patterns.txt: period_px is missing");
+    file = fopen("mixed/patterns.txt", "w");
+    fputs("version = 1\nsteps = 4\nsteps = 4\n", file);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "patterns.txt:3: steps is there twice");
+    file = fopen("mixed/patterns.txt", "w");
+    fprintf(file, "version = 1\n# %300d\n", 0);
+    fclose(file);
+    refuse(DECODE "--folder mixed", FAILED, "patterns.txt:2: the line is too long");
     file = fopen("mixed/patterns.txt", "w");
     fputs("version = 1\nwidth_px = 0\n", file);
     fclose(file);
@@ -181,6 +255,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_wrong_command_lines_are_refused),
         cmocka_unit_test(test_wrong_files_are_refused),
+        cmocka_unit_test(test_no_file_is_written_over_another),
+        cmocka_unit_test(test_a_folder_is_for_one_series),
         cmocka_unit_test(test_dark_and_broken_photographs_are_said),
         cmocka_unit_test(test_saturated_photographs_are_said),
         cmocka_unit_test(test_the_right_input_is_taken),
