@@ -1,5 +1,5 @@
 // Meridians through the middle every 15 degrees: the horizon's left half red and its right half
-// green, as on ships; towards the zenith blue.
+// green, as on ships; upwards, about the dome its +Y, blue.
 
 vec3 light(Direction d, vec2 pixel)
 {

@@ -19,9 +19,10 @@ vec3 light(Direction d, vec2 pixel)
     Polar p = polar(d);
     vec3 sum = vec3(0.8) * (r < 0.08 * circle_px.z ? line(arm, 1.5) : 0.0);
     sum = mix(sum, vec3(0.1, 0.3, 1.0), clamp(wide + 0.5 - min(inside.x, inside.y), 0.0, 1.0));
-    sum = mix(sum, vec3(0.03, 0.7, 0.05), between(r, circle_px.z - wide, circle_px.z + 1.0, 1.0));
     sum = mix(sum, vec3(0.9, 0.6, 0.02), circle(p, 2.0, 2.0));
     float rim = between(p.off / p.off_px, cap_rad / p.off_px - 2.0 * wide, cap_rad / p.off_px, 1.0);
     sum = mix(sum, vec3(1.0, 0.05, 0.03), cap_rad < 3.14 ? rim : 0.0);
+    // Over the rim, which is twice as wide: where both coincide both are seen.
+    sum = mix(sum, vec3(0.03, 0.7, 0.05), between(r, circle_px.z - wide, circle_px.z + 1.0, 1.0));
     return mix(sum, vec3(1.0), tick);
 }

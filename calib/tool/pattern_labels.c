@@ -130,19 +130,22 @@ static void label_dome_grid(struct list *list)
     put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "90");
 }
 
+/* Of a planetarium the dome's +Y is behind the viewer: about the dome it is no more than that. */
 static void label_meridians(struct list *list)
 {
+    const char *up = list->frame.about_viewer ? "UP" : "+Y";
+    const char *down = list->frame.about_viewer ? "DOWN" : "-Y";
     double v[3];
 
     for (int off = 30; off <= 90; off += 30) {
         put(list, round_middle(off, 180, v), (struct side){0, 1}, red, "%d L", off);
         put(list, round_middle(off, 0, v), (struct side){0, 1}, green, "%d R", off);
-        put(list, round_middle(off, 90, v), (struct side){1, 0}, blue, "%d UP", off);
-        put(list, round_middle(off, 270, v), (struct side){1, 0}, white, "%d DOWN", off);
+        put(list, round_middle(off, 90, v), (struct side){1, 0}, blue, "%d %s", off, up);
+        put(list, round_middle(off, 270, v), (struct side){1, 0}, white, "%d %s", off, down);
     }
     put(list, round_middle(12, 180, v), (struct side){0, 0}, red, "LEFT");
     put(list, round_middle(12, 0, v), (struct side){0, 0}, green, "RIGHT");
-    put(list, round_middle(12, 90, v), (struct side){0, 0}, blue, "ZENITH");
+    put(list, round_middle(12, 90, v), (struct side){0, 0}, blue, "%s", up);
     put(list, round_middle(5, 225, v), (struct side){0, -1}, white,
         list->frame.about_viewer ? "straight ahead" : "axis of the dome");
 }
