@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-static const double LOOKAHEAD_USUAL_MS = 20;
 static const double HEAD_USUAL = 0.2; /* of the screen's radius */
 
 static double length(const double v[3])
@@ -28,7 +27,7 @@ int eye_path_create(struct eye_path *path, const struct options *options,
 {
     struct viewer_feed_wishes wishes = {.address = options->osc};
     double ahead_ms =
-        options->lookahead_ms.given ? options->lookahead_ms.value[0] : LOOKAHEAD_USUAL_MS;
+        options->lookahead_ms.given ? options->lookahead_ms.value[0] : VIEWER_FEED_USUAL_MS;
 
     *path = (struct eye_path){.circle_m =
                                   options->eye_circle_m.given ? options->eye_circle_m.value[0] : 0,
@@ -51,11 +50,8 @@ void eye_path_destroy(struct eye_path *path)
 
 void eye_path_announce(const struct eye_path *path, FILE *news)
 {
-    if (!path->feed)
-        return;
-    fprintf(news, "listens for /viewer on %s, head radius %g m\n", viewer_feed_address(path->feed),
-            path->head_m);
-    fflush(news);
+    if (path->feed)
+        viewer_feed_announce(path->feed, news);
 }
 
 /* The sphere is what the plan was made for. */

@@ -14,7 +14,7 @@
 #include "option_paths.h"
 #include "scene_options.h"
 #include "short_path.h"
-#include "viewer_osc.h"
+#include "viewer_feed.h"
 
 enum { BIG = 1000000 };
 
@@ -193,7 +193,7 @@ static bool take_plan(const struct value_context *c, int code, const char *text,
         o->osc = text;
         return viewer_osc_check(c, text);
     case OPTION_VIEWER_LOOKAHEAD:
-        return number(c, text, (struct number_range){0, 500}, &o->lookahead_ms);
+        return number(c, text, (struct number_range){0, VIEWER_FEED_MOST_MS}, &o->lookahead_ms);
     case OPTION_VIEW_FORMAT:
         return value_name(c, text, option_view_format_name, &o->view_format);
     case OPTION_MSAA:

@@ -48,6 +48,13 @@ bool viewer_feed_eye(struct viewer_feed *feed, double eye_m[3])
     return cupola_viewer_eye(&feed->viewer, viewer_osc_now_s() + feed->ahead_s, eye_m) == 1;
 }
 
+void viewer_feed_announce(const struct viewer_feed *feed, FILE *news)
+{
+    fprintf(news, "listens for /viewer on %s, head radius %g m\n", viewer_feed_address(feed),
+            feed->viewer.params.radius_m);
+    fflush(news);
+}
+
 const char *viewer_feed_address(const struct viewer_feed *feed)
 {
     return viewer_osc_address(feed->osc);

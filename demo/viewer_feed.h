@@ -2,7 +2,12 @@
 #ifndef VIEWER_FEED_H
 #define VIEWER_FEED_H
 
+#include <stdio.h>
+
 #include "viewer_osc.h"
+
+/* How far ahead, where nothing is said, and at most. */
+enum { VIEWER_FEED_USUAL_MS = 20, VIEWER_FEED_MOST_MS = 500 };
 
 struct viewer_feed;
 
@@ -24,6 +29,9 @@ void viewer_feed_destroy(struct viewer_feed *feed);
  * the eye untouched, until something was reported. Never waits; once a frame, one thread.
  */
 bool viewer_feed_eye(struct viewer_feed *feed, double eye_m[3]);
+
+/* One line: where it listens, and how far the eye may go. */
+void viewer_feed_announce(const struct viewer_feed *feed, FILE *news);
 
 const char *viewer_feed_address(const struct viewer_feed *feed);
 const struct viewer_osc_counts *viewer_feed_counts(const struct viewer_feed *feed);

@@ -14,8 +14,8 @@
 #include "tool/still.h"
 #include "tool/tool.h"
 #include "tool/tool_options.h"
+#include "tool/tracker.h"
 #include "tool/window.h"
-#include "viewer_feed.h"
 
 static int read_rig(const char *path, struct cupola_rig *rig, char *message)
 {
@@ -191,33 +191,13 @@ static int run_without_window(const struct tool_options *options, struct tool *t
     return status;
 }
 
-/* A tracker moves the eye. */
-static void before_frame(struct tool *tool, void *feed)
-{
-    if (viewer_feed_eye(feed, tool->live_eye_m))
-        tool->viewer_lives = true;
-}
-
-/* NULL with one line in the message. */
-static struct viewer_feed *listen_to_tracker(const struct tool_options *options,
-                                             const struct tool *tool, char *message)
-{
-    const struct viewer_feed_wishes wishes = {
-        .address = options->osc, .ahead_s = 0.02, .radius_m = 0.9 * tool->rig.screen.radius_m};
-    struct viewer_feed *feed = viewer_feed_create(&wishes, message);
-
-    if (feed)
-        fprintf(stderr, "cupola-calib: the eye is heard at %s\n", viewer_feed_address(feed));
-    return feed;
-}
-
 static int run_window(const struct tool_options *options, struct tool *tool, char *message)
 {
     const struct cupola_output *output = &tool->rig.outputs[tool->output];
     struct window_wishes wishes = {.monitor = options->monitor,
                                    .swap_interval = options->swap_interval,
                                    .frames = options->frames};
-    struct viewer_feed *feed = NULL;
+    struct tracker *tracker = NULL;
     int status;
 
     if (options->windowed) {
@@ -225,14 +205,14 @@ static int run_window(const struct tool_options *options, struct tool *tool, cha
         wishes.height = options->height > 0 ? options->height : output->height_px;
     }
     if (options->osc) {
-        feed = listen_to_tracker(options, tool, message);
-        if (!feed)
+        tracker = tracker_open(tool, options->osc, options->lookahead_ms, message);
+        if (!tracker)
             return STATUS_FAILED;
-        wishes.before_frame = before_frame;
-        wishes.user = feed;
+        wishes.before_frame = tracker_hear;
+        wishes.user = tracker;
     }
     status = window_run(tool, &wishes, message);
-    viewer_feed_destroy(feed);
+    tracker_close(tracker);
     return status;
 }
 

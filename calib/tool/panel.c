@@ -49,6 +49,32 @@ static void add_parameter(const struct tool *tool, struct panel *panel, int whic
     add_line(panel, name, value, step);
 }
 
+/* What came from a tracker: reports, then what was none, so that whoever sends wrongly sees it. */
+static void add_tracker(const struct tool *tool, struct panel *panel)
+{
+    const struct viewer_osc_counts *counts = &tool->tracker.counts;
+    const struct {
+        long count;
+        const char *what;
+    } kinds[] = {{counts->others, "not /viewer x y z"},
+                 {counts->malformed, "no OSC"},
+                 {counts->refused, "refused"},
+                 {counts->late, "late"}};
+    char reports[200], rest[200] = "";
+
+    if (!*tool->tracker.address)
+        return;
+    snprintf(reports, sizeof reports, "%s: %ld report%s", tool->tracker.address, counts->taken,
+             counts->taken == 1 ? "" : "s");
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        size_t used = strlen(rest);
+        if (kinds[i].count > 0)
+            snprintf(rest + used, sizeof rest - used, "%s%ld %s", used ? ", " : "", kinds[i].count,
+                     kinds[i].what);
+    }
+    add_line(panel, "tracker", reports, rest);
+}
+
 static void write_legend(const struct tool *tool, struct panel *panel)
 {
     const struct cupola_output *output = &tool->rig.outputs[tool->output];
@@ -72,6 +98,7 @@ static void write_legend(const struct tool *tool, struct panel *panel)
              tool->viewer_lives ? tool->live_eye_m[1] : tool->rig.eye_m[1],
              tool->viewer_lives ? tool->live_eye_m[2] : tool->rig.eye_m[2]);
     add_line(panel, "viewer", text, tool->viewer_lives ? "from the tracker" : "");
+    add_tracker(tool, panel);
     snprintf(text, sizeof text, "%s about the %s", tool_pattern_name(tool->pattern),
              tool_about_name(tool->about));
     add_line(panel, "pattern", text, "");

@@ -12,6 +12,7 @@
 #include "marks.h"
 #include "option_values.h"
 #include "tool/parameters.h"
+#include "viewer_osc.h"
 
 struct history; /* history.h */
 struct journal; /* journal.h */
@@ -83,6 +84,10 @@ struct tool {
     enum preview preview;
     bool viewer_lives; /* the eye comes from a tracker */
     double live_eye_m[3];
+    struct {
+        char address[80]; /* that is listened on; empty: none is */
+        struct viewer_osc_counts counts;
+    } tracker;
 
     char warning[MESSAGE_SIZE]; /* why the last change was impossible; empty: it was not */
     char notice[MESSAGE_SIZE];  /* what happened: "saved lobby.cfg" */

@@ -43,6 +43,7 @@ static const char more_show_text[] =
     "  --osc [HOST:]PORT      the eye is where messages /viewer x y z say, metres; of this "
     "machine\n"
     "                         unless HOST is another address of its own\n"
+    "  --viewer-lookahead MS  predicts the eye of --osc so far ahead, 0 to 500, default 20\n"
     "\nWithout a display\n"
     "  --script FILE|-        plays keys and checks values; see cupola-calib(1). Exit status 1 at\n"
     "                         the first line that fails\n"

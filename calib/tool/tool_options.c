@@ -9,7 +9,7 @@
 #include "short_path.h"
 #include "status.h"
 #include "tool/tool.h"
-#include "viewer_osc.h"
+#include "viewer_feed.h"
 
 enum code {
     RIG = 256, /* above every character */
@@ -29,6 +29,7 @@ enum code {
     FRAMES,
     SWAP_INTERVAL,
     OSC,
+    VIEWER_LOOKAHEAD,
     FRESH,
     JOURNAL,
     HELP,
@@ -53,6 +54,7 @@ static const struct option list[] = {
     {"frames", required_argument, NULL, FRAMES},
     {"swap-interval", required_argument, NULL, SWAP_INTERVAL},
     {"osc", required_argument, NULL, OSC},
+    {"viewer-lookahead", required_argument, NULL, VIEWER_LOOKAHEAD},
     {"fresh", no_argument, NULL, FRESH},
     {"journal", no_argument, NULL, JOURNAL},
     {"help", no_argument, NULL, HELP},
@@ -122,6 +124,10 @@ static bool take(const struct value_context *c, int code, const char *text, stru
     case OSC:
         o->osc = text;
         return viewer_osc_check(c, text);
+    case VIEWER_LOOKAHEAD:
+        o->lookahead_given = true;
+        return value_number(c, text, (struct number_range){0, VIEWER_FEED_MOST_MS},
+                            &o->lookahead_ms);
     case FRESH:
         return o->fresh = true;
     case JOURNAL:
@@ -163,8 +169,10 @@ static const char *contradiction(const struct tool_options *o)
         return "--script and --frames are both there; allowed: a line 'frames N' in the script";
     if (o->script && o->osc)
         return "--script and --osc are both there; allowed: lines 'eye X Y Z' in the script";
-    if (o->headless && o->osc)
-        return "--osc needs a window; allowed: without --headless";
+    if ((o->headless || o->picture) && o->osc)
+        return "--osc needs a window; allowed: without --headless and --picture";
+    if (o->lookahead_given && !o->osc)
+        return "--viewer-lookahead needs --osc; allowed: together with it";
     if (o->headless && !o->script && !o->picture && o->frames == 0)
         return "--headless shows nothing; allowed: with --script, --picture or --frames";
     if (o->marks_output && !o->marks)
@@ -200,7 +208,8 @@ int tool_options_parse(int argc, char **argv, struct tool_options *options, char
     char option[40];
     struct value_context context = {option, message};
 
-    *options = (struct tool_options){.preview = -1, .pattern = -1, .swap_interval = 1};
+    *options = (struct tool_options){
+        .preview = -1, .pattern = -1, .swap_interval = 1, .lookahead_ms = VIEWER_FEED_USUAL_MS};
     optind = 1;
     opterr = 0;
     while ((code = getopt_long(argc, argv, ":h", list, &index)) != -1) {

@@ -21,6 +21,8 @@ struct tool_options {
     int frames; /* 0: no end */
     int swap_interval;
     const char *osc;
+    double lookahead_ms; /* of osc */
+    bool lookahead_given;
     bool fresh;
     bool journal; /* also for a script */
     bool help, version;
