@@ -46,7 +46,7 @@ def take_picture(tool):
 
 def drive(tool):
     line = tool.stdout.readline()
-    found = re.match(r"listens for /viewer on 127\.0\.0\.1:([0-9]+), head radius 0\.[0-9]+ m$", line)
+    found = re.match(r"listens for /viewer on 127\.0\.0\.1:([0-9]+), head radius [0-9.]+ m$", line)
     if not found:
         sys.exit(f"failed: {line}{tool.stderr.read()}")
     sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -83,7 +83,8 @@ def main():
     with display(), tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         with subprocess.Popen([calib, "--windowed=700x500", "--preview", "eye", "--osc", "0",
-                               "--fresh"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as tool:
+                               "--viewer-lookahead", "30", "--fresh"], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True) as tool:
             try:
                 drive(tool)
             finally:
