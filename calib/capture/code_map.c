@@ -9,6 +9,7 @@
 
 #include "capture/code_noise.h"
 #include "option_values.h"
+#include "order.h"
 #include "short_path.h"
 
 static const double PI = 3.14159265358979323846;
@@ -245,13 +246,6 @@ static void predict(struct reading *reading)
     }
 }
 
-static int by_size(const void *a, const void *b)
-{
-    float x = *(const float *)a, y = *(const float *)b;
-
-    return (x > y) - (x < y);
-}
-
 static void count_states(struct reading *reading)
 {
     struct code_map *map = reading->map;
@@ -265,7 +259,7 @@ static void count_states(struct reading *reading)
     }
     if (decoded == 0)
         return;
-    qsort(contrasts, decoded, sizeof *contrasts, by_size);
+    qsort(contrasts, decoded, sizeof *contrasts, order_floats);
     map->contrast = (double)contrasts[decoded / 2];
     map->noise = code_noise_at(&reading->noise, 0.5 * map->contrast);
 }

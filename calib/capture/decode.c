@@ -12,6 +12,7 @@
 #include "capture/photo_list.h"
 #include "capture/pose.h"
 #include "option_values.h"
+#include "order.h"
 #include "output_file.h"
 #include "status.h"
 
@@ -104,8 +105,16 @@ static void report_pose(const struct decoding *decoding)
     printf("residuals: %.3g px rms, %.3g px worst, %d of %d marks left out; references: %.3g px of "
            "the photograph rms, %.3g px worst (%s)\n",
            pose->rms_px, pose->worst_px, pose->rejected_count, decoding->patches.count,
-           pose->reference_rms_px, pose->reference_worst_px,
+           pose->reference_rms_px, pose->reference_px[pose->worst_reference],
            decoding->references.list[pose->worst_reference].name);
+}
+
+/* Where they are refused: how far each lies off. */
+static void report_references(const struct decoding *decoding)
+{
+    for (int i = 0; decoding->pose.reference_px && i < decoding->references.count; i++)
+        printf("reference %s: %.3g px of the photograph off\n", decoding->references.list[i].name,
+               decoding->pose.reference_px[i]);
 }
 
 static int solve_pose(struct decoding *decoding, char *message)
@@ -121,8 +130,10 @@ static int solve_pose(struct decoding *decoding, char *message)
 
     if (!decoding->options->references)
         return STATUS_OK;
-    if (!pose_solve(&request, &decoding->pose, message))
+    if (!pose_solve(&request, &decoding->pose, message)) {
+        report_references(decoding);
         return STATUS_FAILED;
+    }
     decoding->camera = decoding->pose.camera;
     report_pose(decoding);
     return STATUS_OK;
@@ -170,13 +181,6 @@ static int make_marks(struct decoding *decoding, char *message)
     return STATUS_FAILED;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* Of the marks' places, as each patch tells it; the median. */
 static double median_sd_px(const struct patches *patches)
 {
@@ -187,7 +191,7 @@ static double median_sd_px(const struct patches *patches)
         return HUGE_VAL;
     for (int i = 0; i < patches->count; i++)
         sizes[i] = hypot(patches->list[i].sd_px[0], patches->list[i].sd_px[1]);
-    qsort(sizes, (size_t)patches->count, sizeof *sizes, by_size);
+    qsort(sizes, (size_t)patches->count, sizeof *sizes, order_doubles);
     median = sizes[patches->count / 2];
     free(sizes);
     return median;

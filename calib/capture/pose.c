@@ -10,7 +10,10 @@
 #include <cminpack-1/cminpack.h>
 
 #include "capture/pose_model.h"
+#include "capture/pose_references.h"
 #include "option_values.h"
+#include "order.h"
+#include "random.h"
 #include "solve/rotation.h"
 
 static const double DEGREES = 180 / 3.14159265358979323846;
@@ -18,6 +21,9 @@ static const double DEGREES = 180 / 3.14159265358979323846;
 /* A fit is one where half of the places are this near; and further starts are tried until then. */
 static const double fitting_px = 1;
 enum { STARTS = 40, PATCHES_LEAST = 12 };
+
+/* What references weigh while the photographs alone decide: wrong ones must not bend the rest. */
+static const double loose_reference_px = 20;
 
 /* Beyond this the photographs do not tell it. */
 static const double most_position_sd = 0.05; /* radii */
@@ -30,6 +36,7 @@ struct fit {
     double *residuals, *jacobian, *work, *sorted;
     int pivots[POSE_UNKNOWNS];
     double sd[POSE_UNKNOWNS]; /* by unknown */
+    bool measured;            /* references, too */
 };
 
 bool pose_free_parse(const char *option, const char *text, int *free_list, char *message)
@@ -67,32 +74,8 @@ bool pose_free_parse(const char *option, const char *text, int *free_list, char 
 void pose_result_free(struct pose_result *result)
 {
     free(result->rejected);
+    free(result->reference_px);
     *result = (struct pose_result){0};
-}
-
-static void unit_place(const struct marks *marks, int index, double unit[3])
-{
-    const double *place = marks->list[index].place;
-    double length = sqrt(place[0] * place[0] + place[1] * place[1] + place[2] * place[2]);
-
-    for (int i = 0; i < 3; i++)
-        unit[i] = place[i] / fmax(length, 1e-9);
-}
-
-/* Two of the references tell three angles if they are neither one place nor opposite ones. */
-static bool references_span(const struct marks *references)
-{
-    double a[3], b[3];
-
-    for (int i = 0; i < references->count; i++) {
-        for (int k = 0; k < i; k++) {
-            unit_place(references, i, a);
-            unit_place(references, k, b);
-            if (fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) < cos(5 / DEGREES))
-                return true;
-        }
-    }
-    return false;
 }
 
 static bool check(const struct pose_request *request, char *message)
@@ -105,13 +88,8 @@ static bool check(const struct pose_request *request, char *message)
                  PATCHES_LEAST, request->patches->count);
         return false;
     }
-    if (!references_span(request->references)) {
-        snprintf(message, MESSAGE_SIZE,
-                 "--references: turning camera and projector together round the centre of the "
-                 "screen changes no photograph; allowed: 2 references or more, two of which are 5 "
-                 "to 175 degrees apart as seen from the centre");
+    if (!pose_references_check(request, message))
         return false;
-    }
     if (request->camera->kind == CAMERA_EQUIRECTANGULAR && free_list & POSE_FOV) {
         snprintf(message, MESSAGE_SIZE,
                  "--camera-free fov: a panorama's is 360 degrees; allowed: "
@@ -149,13 +127,6 @@ static void descend(struct fit *fit, double *numbers)
     pose_model_residuals(&fit->model, numbers, fit->residuals);
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* Of the patches that are not rejected. */
 static double median_px(struct fit *fit)
 {
@@ -165,19 +136,14 @@ static double median_px(struct fit *fit)
         if (!fit->model.rejected[i])
             fit->sorted[count++] = pose_model_patch_px(&fit->model, fit->residuals, i);
     }
-    qsort(fit->sorted, (size_t)count, sizeof *fit->sorted, by_size);
+    qsort(fit->sorted, (size_t)count, sizeof *fit->sorted, order_doubles);
     return count > 0 ? fit->sorted[count / 2] : 0;
 }
 
-/* -1 to 1; the same every time (splitmix64, Steele et al. 2014). */
+/* -1 to 1 */
 static double spread(uint64_t *state)
 {
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return (double)(z >> 11) * 0x1p-52 - 1;
+    return (double)(random_next(state) >> 11) * 0x1p-52 - 1;
 }
 
 /* From the start, and where that leads nowhere from places round it. */
@@ -293,14 +259,62 @@ static void describe(struct fit *fit, struct pose_result *result)
         result->worst_px = fmax(result->worst_px, px);
     }
     result->rms_px = sqrt(result->rms_px / fmax(kept, 1));
+    result->reference_rms_px =
+        pose_references_measure(request, &result->camera, -1, result->reference_px);
     for (int i = 0; i < request->references->count; i++) {
-        double px = pose_model_reference_px(&fit->model, fit->residuals, i);
-        result->reference_rms_px += px * px / request->references->count;
-        if (px > result->reference_worst_px)
+        if (result->reference_px[i] > result->reference_px[result->worst_reference])
             result->worst_reference = i;
-        result->reference_worst_px = fmax(result->reference_worst_px, px);
     }
-    result->reference_rms_px = sqrt(result->reference_rms_px);
+}
+
+static struct camera camera_of(const struct fit *fit, const double *numbers)
+{
+    struct camera camera;
+    double projector_m[3], turn[9];
+
+    pose_model_apply(&fit->model, numbers, &camera, projector_m, turn);
+    return camera;
+}
+
+/* The one reference without which the others fit best, and how well; -1: too few to tell. */
+static int find_wrong(struct fit *fit, double *rest_px)
+{
+    const struct pose_request *request = fit->model.request;
+    int count = request->references->count, wrong = -1;
+
+    for (int i = 0; i < count && count > 3; i++) {
+        struct camera camera;
+        double rms_px;
+        memcpy(fit->trial, fit->numbers, sizeof fit->trial);
+        fit->model.left_out = i;
+        descend(fit, fit->trial);
+        camera = camera_of(fit, fit->trial);
+        rms_px = pose_references_measure(request, &camera, i, NULL);
+        if (wrong >= 0 && !(rms_px < *rest_px))
+            continue;
+        wrong = i;
+        *rest_px = rms_px;
+    }
+    fit->model.left_out = -1;
+    return wrong;
+}
+
+/* While the photographs alone say how camera and projector stand to each other. */
+static bool references_fit(struct fit *fit, double *off_px, char *message)
+{
+    const struct pose_request *request = fit->model.request;
+    struct camera camera = camera_of(fit, fit->numbers);
+    double rms_px = pose_references_measure(request, &camera, -1, off_px);
+    double allowed_px = pose_references_allowed_px(&camera), rest_px = HUGE_VAL;
+    int wrong;
+
+    fit->measured = true;
+    if (rms_px <= allowed_px)
+        return true;
+    wrong = find_wrong(fit, &rest_px);
+    pose_references_refuse(request, off_px, rms_px, rest_px <= allowed_px ? wrong : -1, rest_px,
+                           message);
+    return false;
 }
 
 static bool check_result(const struct pose_request *request, const struct pose_result *result,
@@ -328,6 +342,24 @@ static bool check_result(const struct pose_request *request, const struct pose_r
     return false;
 }
 
+static bool solve(struct fit *fit, struct pose_result *result, char *message)
+{
+    fit->model.reference_sd_px = loose_reference_px;
+    if (!search(fit, message))
+        return false;
+    for (int round = 0; round < 5 && reject(fit, result->rejected); round++)
+        continue;
+    if (!references_fit(fit, result->reference_px, message))
+        return false;
+    fit->model.reference_sd_px = POSE_REFERENCE_SD_PX;
+    descend(fit, fit->numbers);
+    weigh(fit);
+    descend(fit, fit->numbers);
+    deviations(fit);
+    describe(fit, result);
+    return check_result(fit->model.request, result, message);
+}
+
 bool pose_solve(const struct pose_request *request, struct pose_result *result, char *message)
 {
     struct fit fit = {0};
@@ -338,6 +370,7 @@ bool pose_solve(const struct pose_request *request, struct pose_result *result, 
     if (!check(request, message))
         return false;
     result->rejected = calloc((size_t)request->patches->count, sizeof *result->rejected);
+    result->reference_px = calloc((size_t)request->references->count, sizeof *result->reference_px);
     pose_model_begin(request, result->rejected, &fit.model);
     fit.count = pose_model_residual_count(&fit.model);
     count = (size_t)fit.count;
@@ -345,22 +378,16 @@ bool pose_solve(const struct pose_request *request, struct pose_result *result, 
     fit.work = calloc(count, sizeof *fit.work);
     fit.sorted = calloc(count, sizeof *fit.sorted);
     fit.jacobian = calloc(count * POSE_UNKNOWNS, sizeof *fit.jacobian);
-    if (!result->rejected || !fit.residuals || !fit.work || !fit.sorted || !fit.jacobian) {
+    if (!result->rejected || !result->reference_px || !fit.residuals || !fit.work || !fit.sorted ||
+        !fit.jacobian)
         snprintf(message, MESSAGE_SIZE, "out of memory for %d marks", request->patches->count);
-    } else if (search(&fit, message)) {
-        for (int round = 0; round < 5 && reject(&fit, result->rejected); round++)
-            continue;
-        weigh(&fit);
-        descend(&fit, fit.numbers);
-        deviations(&fit);
-        describe(&fit, result);
-        done = check_result(request, result, message);
-    }
+    else
+        done = solve(&fit, result, message);
     free(fit.residuals);
     free(fit.work);
     free(fit.sorted);
     free(fit.jacobian);
-    if (!done)
+    if (!done && !fit.measured)
         pose_result_free(result);
     return done;
 }

@@ -40,9 +40,9 @@ struct pose_result {
     double rms_px; /* of the projector's places, rejected ones left out */
     double worst_px;
     double reference_rms_px; /* of the photograph */
-    double reference_worst_px;
-    int worst_reference; /* index */
-    bool *rejected;      /* per patch */
+    int worst_reference;     /* index */
+    double *reference_px;    /* each, of the photograph; NULL: nothing is known of them */
+    bool *rejected;          /* per patch */
     int rejected_count;
 };
 
@@ -52,7 +52,10 @@ struct pose_result {
  */
 bool pose_free_parse(const char *option, const char *text, int *free, char *message);
 
-/* False with one line in `message`, MESSAGE_SIZE bytes; nothing is then to be freed. */
+/*
+ * False with one line in `message`, MESSAGE_SIZE bytes; `reference_px` then says how far each
+ * reference is off as far as that is known. The result is to be freed in any case.
+ */
 bool pose_solve(const struct pose_request *request, struct pose_result *result, char *message);
 
 void pose_result_free(struct pose_result *result);

@@ -23,6 +23,7 @@ void pose_model_begin(const struct pose_request *request, const bool *rejected,
                                  .rejected = rejected,
                                  .lens = *output,
                                  .patch_sd_px = 0.1,
+                                 .left_out = -1,
                                  .reference_sd_px = POSE_REFERENCE_SD_PX};
     memset(model->lens.position_m, 0, sizeof model->lens.position_m);
     model->lens.aim = (struct cupola_aim){0};
@@ -119,8 +120,11 @@ void pose_model_residuals(const struct pose_model *model, const double *numbers,
             patch_residual(model, &request->patches->list[i], &camera, projector_m, turn,
                            residuals);
     }
-    for (int i = 0; i < request->references->count; i++, residuals += 3)
+    for (int i = 0; i < request->references->count; i++, residuals += 3) {
         reference_residual(model, &request->references->list[i], &camera, residuals);
+        if (i == model->left_out)
+            residuals[0] = residuals[1] = residuals[2] = 0;
+    }
 }
 
 double pose_model_patch_px(const struct pose_model *model, const double *residuals, int patch)

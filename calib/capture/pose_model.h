@@ -24,6 +24,7 @@ struct pose_model {
     struct cupola_output lens;   /* the projector at the origin, not turned */
     int unknowns[POSE_UNKNOWNS]; /* which of them are free */
     int unknown_count;
+    int left_out; /* reference that does not count; -1: none */
     double patch_sd_px,
         reference_sd_px; /* one coordinate, of the projector's image and the photo */
 };
@@ -43,7 +44,10 @@ void pose_model_apply(const struct pose_model *model, const double *numbers, str
 /* In standard deviations; those of rejected patches are 0. */
 void pose_model_residuals(const struct pose_model *model, const double *numbers, double *residuals);
 
-/* How far a patch's place is from the projector's, px, and a reference from its place, photo px. */
+/*
+ * How far a patch's place is from the projector's, px, and a reference's ray from its point, in
+ * angles of the pixel in the middle of the photograph.
+ */
 double pose_model_patch_px(const struct pose_model *model, const double *residuals, int patch);
 double pose_model_reference_px(const struct pose_model *model, const double *residuals,
                                int reference);

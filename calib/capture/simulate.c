@@ -9,6 +9,7 @@
 #include "capture/simulate_gl.h"
 #include "capture/simulate_rays.h"
 #include "option_values.h"
+#include "random.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -134,15 +135,10 @@ static bool blur(double sd_px, struct photo *photo, char *message)
     return true;
 }
 
-/* 0 to 1, without 0 (splitmix64, Steele et al. 2014). */
+/* 0 to 1, without 0. */
 static double uniform(uint64_t *state)
 {
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return ((double)(z >> 11) + 0.5) * 0x1p-53;
+    return ((double)(random_next(state) >> 11) + 0.5) * 0x1p-53;
 }
 
 static void add_noise(struct simulator *simulator, struct photo *photo)

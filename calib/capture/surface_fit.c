@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "order.h"
+
 static void terms_at(const double at[2], double terms[SURFACE_TERMS])
 {
     terms[0] = 1;
@@ -91,13 +93,6 @@ static double residual(const struct surface_sample *sample, const double surface
     return sum;
 }
 
-static int by_size(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-
-    return (x > y) - (x < y);
-}
-
 /* Leaves out what is beyond 4 standard deviations by the median. True if that changed anything. */
 static bool leave_out(struct surface_sample *samples, int count, const struct solution *solution,
                       double *sizes)
@@ -108,7 +103,7 @@ static bool leave_out(struct surface_sample *samples, int count, const struct so
     for (int s = 0; s < count; s++)
         sizes[s] = hypot(residual(&samples[s], solution->surface[0], 0),
                          residual(&samples[s], solution->surface[1], 1));
-    qsort(sizes, (size_t)count, sizeof *sizes, by_size);
+    qsort(sizes, (size_t)count, sizeof *sizes, order_doubles);
     limit = 4 * sizes[count / 2] / 1.1774 + 1e-4; /* median of a Rayleigh distribution */
     for (int s = 0; s < count; s++) {
         bool far = hypot(residual(&samples[s], solution->surface[0], 0),

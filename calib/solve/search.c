@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "order.h"
+#include "random.h"
 #include "solve/rotation.h"
 #include "solve/symmetric.h"
 
@@ -37,28 +39,15 @@ int search_most(int count, int values)
     return most < count ? most : count;
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    double first = *(const double *)a, second = *(const double *)b;
-
-    return (first > second) - (first < second);
-}
-
 double search_ranked(double *numbers, int count, int most)
 {
-    qsort(numbers, (size_t)count, sizeof *numbers, compare_numbers);
+    qsort(numbers, (size_t)count, sizeof *numbers, order_doubles);
     return numbers[most - 1];
 }
 
-/* splitmix64 (Steele, Lea and Flood 2014): the same numbers in every run. */
 static int random_below(uint64_t *seed, int bound)
 {
-    uint64_t z = (*seed += 0x9e3779b97f4a7c15u);
-
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return (int)(z % (uint64_t)bound);
+    return (int)(random_next(seed) % (uint64_t)bound);
 }
 
 /* Beyond the rim the curve goes on straight. */

@@ -308,6 +308,48 @@ static void test_what_fixes_no_direction_is_refused(void **state)
     assert_non_null(strstr(message, "needs 12 marks"));
 }
 
+static void refuse_references(struct scene *scene, const char *reason)
+{
+    char message[MESSAGE_SIZE];
+    struct pose_result result;
+
+    assert_false(pose_solve(&scene->request, &result, message));
+    if (!strstr(message, reason))
+        fail_msg("'%s' does not say '%s'", message, reason);
+    pose_result_free(&result);
+}
+
+static void swap_places(struct scene *scene, int a, int b)
+{
+    for (int k = 0; k < 3; k++) {
+        double kept = scene->references[a].place[k];
+        scene->references[a].place[k] = scene->references[b].place[k];
+        scene->references[b].place[k] = kept;
+    }
+}
+
+static void test_wrong_references_are_said_to_be_wrong(void **state)
+{
+    struct scene scene;
+
+    (void)state;
+    for (uint64_t seed = 1; seed <= 5; seed++) {
+        make_scene(&scene, seed, 0.05, 4);
+        for (int i = 0; i < 4; i++)
+            scene.references[i].pixel_px[1] = 450 - scene.references[i].pixel_px[1];
+        refuse_references(&scene, "--references do not fit the photographs: rms ");
+        make_scene(&scene, seed, 0.05, 4);
+        swap_places(&scene, 0, 1);
+        refuse_references(&scene, "--references do not fit the photographs: rms ");
+        make_scene(&scene, seed, 0.05, 4);
+        scene.references[2].place[0] *= -1;
+        refuse_references(&scene, "; without r2 the others fit to ");
+        make_scene(&scene, seed, 0.05, 4);
+        scene.references[1].pixel_px[0] = 5000;
+        refuse_references(&scene, "r1 at (5000, 350) is not in the photograph");
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -318,6 +360,7 @@ int main(void)
         cmocka_unit_test(test_pose_and_projector_are_found_together),
         cmocka_unit_test(test_wrong_places_are_left_out_and_a_wrong_fov_is_found),
         cmocka_unit_test(test_errors_of_references_are_in_the_uncertainty),
+        cmocka_unit_test(test_wrong_references_are_said_to_be_wrong),
         cmocka_unit_test(test_what_fixes_no_direction_is_refused),
     };
     return cmocka_run_group_tests_name("calib capture_camera", tests, NULL, NULL);
