@@ -1,4 +1,5 @@
 /* The interactive tool, from its command line to its end. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,7 +169,8 @@ static int play_script(struct tool *tool, const char *path, struct drawing *draw
     int status;
 
     if (!stream) {
-        snprintf(message, MESSAGE_SIZE, "--script: %s cannot be read", short_path(path).text);
+        snprintf(message, MESSAGE_SIZE, "--script: %s cannot be read: %s", short_path(path).text,
+                 strerror(errno));
         return STATUS_FAILED;
     }
     status = script_play(tool, stream, is_stdin ? "standard input" : path, &stage, message);

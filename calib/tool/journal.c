@@ -91,14 +91,16 @@ static enum journal_found found(struct tool *tool, enum journal_played played,
                                 const struct journal_play *play, char *message)
 {
     struct journal *journal = tool->journal;
+    int steps;
 
     switch (played) {
     case JOURNAL_PLAYED:
         journal->lines = play->lines;
         journal_file_cut(&journal->file, play->good);
+        steps = history_undo_count(tool->history);
         snprintf(tool->notice, MESSAGE_SIZE,
-                 "restored from %s: %ld changes (--fresh starts without them)",
-                 short_path(journal->file.path).text, play->changes);
+                 "restored from %s: %d step%s to undo (--fresh starts without it)",
+                 short_path(journal->file.path).text, steps, steps == 1 ? "" : "s");
         return JOURNAL_RESTORED;
     case JOURNAL_EMPTY:
         journal_file_cut(&journal->file, 0);

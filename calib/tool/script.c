@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "option_paths.h"
 #include "short_path.h"
 #include "status.h"
 #include "tool/keys.h"
@@ -128,7 +129,11 @@ static bool play_expect(struct playing *playing, int count, char **words)
 
 static bool picture(struct playing *playing, bool dome, const char *path)
 {
+    const struct value_context context = {dome ? "dome" : "picture", playing->message};
+
     playing->tool->wants_picture = false;
+    if (!value_output_path(&context, path, &path))
+        return false;
     if (playing->stage)
         return playing->stage->picture(playing->stage->user, playing->tool, dome, path,
                                        playing->message);
@@ -165,6 +170,8 @@ static bool play_frames(struct playing *playing, int count, char **words)
 
 static bool play_eye(struct playing *playing, int count, char **words)
 {
+    struct cupola_rig rig = playing->tool->rig;
+    struct cupola_error error = {0};
     double eye_m[3];
 
     if (count == 1 && strcmp(words[0], "off") == 0) {
@@ -173,6 +180,12 @@ static bool play_eye(struct playing *playing, int count, char **words)
     }
     if (count != 3 || !numbers(playing, "eye", 3, words, eye_m))
         return refuse(playing, "eye", words[0], "X Y Z, or off");
+    memcpy(rig.eye_m, eye_m, sizeof eye_m);
+    if (cupola_rig_complete(&rig, NULL, &error) < 0) {
+        snprintf(playing->message, MESSAGE_SIZE, "eye %.100s %.100s %.100s is refused: %s",
+                 words[0], words[1], words[2], error.message);
+        return false;
+    }
     memcpy(playing->tool->live_eye_m, eye_m, sizeof eye_m);
     playing->tool->viewer_lives = true;
     return true;

@@ -1,6 +1,8 @@
 /* Lines of a script: read, bounded, and parted into words. */
 #include "tool/script_line.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "option_values.h"
@@ -19,7 +21,7 @@ static enum script_next read_line(struct script_line *line, FILE *stream, char *
         line->text[length++] = (char)byte;
     }
     if (byte == EOF && ferror(stream)) {
-        snprintf(message, MESSAGE_SIZE, "the script cannot be read");
+        snprintf(message, MESSAGE_SIZE, "the script cannot be read: %s", strerror(errno));
         return SCRIPT_REFUSED;
     }
     line->text[length] = '\0';

@@ -88,8 +88,9 @@ static void missing_files_are_failures(void **state)
     check_run("\"$C\" none.cfg --script - </dev/null", 1, "none.cfg");
     check_run("\"$C\" --marks none.csv --script - </dev/null", 1, "none.csv");
     check_run("\"$C\" --theatre none.cfg --script - </dev/null", 1, "none.cfg");
-    check_run("\"$C\" --script none.script", 1, "none.script");
-    check_run("\"$C\" --script . ", 1, "cannot be read");
+    check_run("\"$C\" --script none.script", 1,
+              "none.script cannot be read: No such file or directory");
+    check_run("\"$C\" --script . ", 1, "cannot be read: Is a directory");
     check_run("\"$C\" --output no/rig.cfg --script - </dev/null", 1, "no/rig.cfg");
     check_run("\"$C\"", 1, "neither DISPLAY nor WAYLAND_DISPLAY");
 }

@@ -295,13 +295,17 @@ static void saved_and_ended_it_is_gone_unsaved_it_stays(void **state)
     (void)state;
     open_same(&tool);
     assert_int_equal(open_journal(&tool, message), JOURNAL_NEW);
-    tool_set(&tool, PARAMETER_YAW, 3);
+    for (int i = 1; i <= 3; i++) {
+        tool.time_s += 5;
+        tool_set(&tool, PARAMETER_YAW, i);
+    }
+    tool_undo(&tool);
     assert_true(tool.unsaved);
     tool_close(&tool);
     assert_int_equal(access("rig.cfg.journal", F_OK), 0);
     open_same(&tool);
     assert_int_equal(open_journal(&tool, message), JOURNAL_RESTORED);
-    assert_non_null(strstr(tool.notice, "restored"));
+    assert_non_null(strstr(tool.notice, "restored from rig.cfg.journal: 2 steps to undo"));
     assert_true(tool.unsaved);
     assert_true(tool_save(&tool, tool.rig_path));
     assert_false(tool.unsaved);

@@ -130,6 +130,9 @@ static void what_fails_is_named_with_its_place(void **state)
     check_fails("expect notice is", "allowed: none, or containing");
     check_fails("set fov_deg 500", "set fov_deg 500 is refused: ");
     check_fails("refuse fov_deg 50", "it was taken");
+    check_fails("eye 0 5 0", "eye 0 5 0 is refused: ");
+    check_fails("picture x.bmp", "picture: 'x.bmp' is not allowed; allowed: FILE.png or FILE.pfm");
+    check_fails("dome x.bmp", "dome: 'x.bmp'");
 }
 
 static void what_is_no_line_is_refused(void **state)
@@ -160,6 +163,10 @@ static void what_is_no_line_is_refused(void **state)
         "frames x",
         "eye 1",
         "eye 1 2 x",
+        "eye 5 0 0",
+        "picture x.bmp",
+        "picture x",
+        "dome x.jpg",
         "save a b",
         "save there/is/none.cfg",
         "expect \"warning",
