@@ -176,6 +176,7 @@ static bool make_room(struct reading *reading)
     if (marks->count >= MARKS_MAX)
         return refuse(reading, "is one mark too many; allowed: up to %d", MARKS_MAX);
     int room = reading->room ? 2 * reading->room : 64;
+    room = room < MARKS_MAX ? room : MARKS_MAX;
     struct mark *list = realloc(marks->list, (size_t)room * sizeof *list);
     if (list)
         marks->list = list;

@@ -144,6 +144,29 @@ static void what_is_wrong_is_named_with_its_line(void **state)
         expect_refused(cases[i][0], cases[i][1]);
 }
 
+/* As many as are allowed, and one more. */
+static void their_number_has_an_exact_limit(void **state)
+{
+    enum { LINE_SIZE = 32 };
+    size_t used = 0;
+    char *text = malloc((MARKS_MAX + 2) * LINE_SIZE), said[80];
+    struct marks marks;
+
+    (void)state;
+    assert_non_null(text);
+    used += (size_t)sprintf(text, "name,x_px,y_px,dir_x,dir_y,dir_z\n");
+    for (int i = 0; i < MARKS_MAX; i++)
+        used += (size_t)sprintf(text + used, "m%d,1,2,0,0,-1\n", i);
+    expect_read(text, true, &marks);
+    assert_int_equal(marks.count, MARKS_MAX);
+    marks_free(&marks);
+    sprintf(text + used, "more,1,2,0,0,-1\n");
+    snprintf(said, sizeof said, "marks.csv:%d: is one mark too many; allowed: up to %d",
+             MARKS_MAX + 2, MARKS_MAX);
+    expect_refused(text, said);
+    free(text);
+}
+
 static void files_that_are_none_are_refused(void **state)
 {
     char message[MESSAGE_SIZE] = "";
@@ -254,6 +277,7 @@ int main(void)
         cmocka_unit_test(directions_get_unit_length),
         cmocka_unit_test(pixels_may_be_missing_only_where_they_are_not_needed),
         cmocka_unit_test(what_is_wrong_is_named_with_its_line),
+        cmocka_unit_test(their_number_has_an_exact_limit),
         cmocka_unit_test(files_that_are_none_are_refused),
         cmocka_unit_test(what_is_written_reads_back_to_the_last_bit),
         cmocka_unit_test(a_file_that_cannot_be_written_stays_as_it_was),
