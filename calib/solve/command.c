@@ -59,7 +59,7 @@ static bool write_files(const struct solve_options *options, const struct solve_
     }
     if (written && options->plot)
         written = whole_file_begin(&plot, options->plot, message) &&
-                  residual_plot_write(plot.stream, request, result, message);
+                  residual_plot_write(plot.stream, options->plot, request, result, message);
     if (written && options->output && cupola_rig_write(options->output, &result->rig, &error) < 0) {
         snprintf(message, MESSAGE_SIZE, "--output: %s", error.message);
         written = false;

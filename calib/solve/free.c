@@ -28,6 +28,11 @@ bool solve_free_parse(const char *option, const char *text, int *free, char *mes
         word[taken] = 0;
         if (!value_name(&(struct value_context){option, message}, word, solve_free_name, &index))
             return false;
+        if (parsed & 1 << index) {
+            snprintf(message, MESSAGE_SIZE, "%s: '%s' is there twice; allowed: each name once",
+                     option, word);
+            return false;
+        }
         parsed |= 1 << index;
         if (!at[length])
             break;

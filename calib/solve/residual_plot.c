@@ -7,12 +7,15 @@
 #include "residual_plot.h"
 
 #include <cairo.h>
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cupola/dome.h>
 
 #include "option_values.h"
+#include "short_path.h"
 #include "solve/plot_text.h"
 #include "solve/search.h"
 
@@ -222,9 +225,20 @@ static void draw_legend(const struct plot *plot)
                   red);
 }
 
-static cairo_status_t add_bytes(void *file, const unsigned char *bytes, unsigned size)
+struct sink {
+    FILE *file;
+    int problem; /* of errno */
+};
+
+static cairo_status_t add_bytes(void *data, const unsigned char *bytes, unsigned size)
 {
-    return fwrite(bytes, 1, size, file) == size ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+    struct sink *sink = data;
+
+    errno = 0;
+    if (fwrite(bytes, 1, size, sink->file) == size)
+        return CAIRO_STATUS_SUCCESS;
+    sink->problem = errno ? errno : EIO;
+    return CAIRO_STATUS_WRITE_ERROR;
 }
 
 static void draw(struct plot *plot)
@@ -241,22 +255,35 @@ static void draw(struct plot *plot)
     draw_legend(plot);
 }
 
-bool residual_plot_write(FILE *file, const struct solve_request *request,
+/* "--plot: NAME: what: why" */
+static bool fail(const char *path, const char *what, const char *why, char *message)
+{
+    snprintf(message, MESSAGE_SIZE, "--plot: %s: %s: %s", short_path(path).text, what, why);
+    return false;
+}
+
+bool residual_plot_write(FILE *file, const char *path, const struct solve_request *request,
                          const struct solve_result *result, char *message)
 {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, SIZE, SIZE + LEGEND);
     struct plot plot = {.cairo = cairo_create(surface), .request = request, .result = result};
+    struct sink sink = {.file = file};
     struct cupola_error error = {0};
     bool made = cupola_dome_create(&result->rig, &plot.dome, &error) >= 0;
 
     if (made) {
         draw(&plot);
-        made = cairo_status(plot.cairo) == CAIRO_STATUS_SUCCESS &&
-               cairo_surface_write_to_png_stream(surface, add_bytes, file) == CAIRO_STATUS_SUCCESS;
+        cairo_status_t status = cairo_status(plot.cairo);
+        if (status == CAIRO_STATUS_SUCCESS)
+            status = cairo_surface_write_to_png_stream(surface, add_bytes, &sink);
+        made = status == CAIRO_STATUS_SUCCESS;
+        if (sink.problem)
+            fail(path, "cannot be written", strerror(sink.problem), message);
+        else if (!made)
+            fail(path, "the picture cannot be made", cairo_status_to_string(status), message);
+    } else {
+        fail(path, "the picture cannot be made", error.message, message);
     }
-    if (!made)
-        snprintf(message, MESSAGE_SIZE, "--plot: the picture cannot be made or written%s%s",
-                 *error.message ? ": " : "", error.message);
     cupola_dome_destroy(&plot.dome);
     cairo_destroy(plot.cairo);
     cairo_surface_destroy(surface);

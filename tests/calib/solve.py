@@ -3,10 +3,12 @@
 solve.py CUPOLA_CALIB [--keep FOLDER]
 """
 import csv
+import errno
 import json
 import math
 import os
 import random
+import resource
 import shutil
 import subprocess
 import sys
@@ -186,6 +188,7 @@ def odd_command_lines_are_refused():
     refused(2, "nothing to start from", "marks.csv")
     refused(2, "both given", *good, "--preset", "visionstation")
     refused(2, "--free: 'lense' is not allowed", *good, "--free", "aim,lense")
+    refused(2, "--free: 'position' is there twice", *good, "--free", "position,aim,position")
     refused(2, "--free: '' is not allowed", *good, "--free", "")
     refused(2, "second file", *good, "other.csv")
     refused(2, "needs a value", *good, "--output")
@@ -207,6 +210,19 @@ def odd_command_lines_are_refused():
     assert done.returncode == 0 and done.stdout.startswith("Usage: cupola-calib solve"), done
 
 
+def a_disk_that_fills_up_is_named():
+    """Files may have 4096 bytes: the picture needs more, and nothing of it stays."""
+    write_marks("marks.csv", theatre(24))
+    before = sorted(os.listdir("."))
+    done = subprocess.run(
+        [PROGRAM, "solve", "marks.csv", "--rig", "start.cfg", "--output", "never.cfg", "--plot",
+         "full.png"], capture_output=True, text=True, timeout=60, restore_signals=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096)))
+    wished = "--plot: full.png: cannot be written: " + os.strerror(errno.EFBIG)
+    assert done.returncode == 1 and wished in done.stderr, done
+    assert sorted(os.listdir(".")) == before, os.listdir(".")
+
+
 def main():
     folder = tempfile.mkdtemp(prefix="cupola-solve-")
     try:
@@ -221,6 +237,7 @@ def main():
         a_mirrored_picture_is_told()
         what_marks_cannot_tell_is_refused()
         odd_command_lines_are_refused()
+        a_disk_that_fills_up_is_named()
     finally:
         os.chdir("/")
         shutil.rmtree(folder)
