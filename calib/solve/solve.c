@@ -13,6 +13,8 @@
 #include "solve/consensus.h"
 #include "solve/refusal.h"
 
+static const double pi = 3.14159265358979323846;
+
 /* Everything on the way from a request to its result. */
 struct solving {
     struct solve_request request; /* its start complete */
@@ -91,6 +93,17 @@ static const char *flip_name(int flip)
     return names[flip & 3];
 }
 
+/* Mirrored both ways is turned by 180 degrees: the same with the least change of roll. */
+static void turn_least(const struct solving *solving, struct cupola_output *output)
+{
+    double from_rad = solving->start.outputs[solving->request.output].aim.roll_rad;
+
+    if (fabs(remainder(output->aim.roll_rad - from_rad, 2 * pi)) <= 0.5 * pi)
+        return;
+    output->flip ^= CUPOLA_FLIP_X | CUPOLA_FLIP_Y;
+    output->aim.roll_rad = remainder(output->aim.roll_rad + pi, 2 * pi);
+}
+
 /* With the picture mirrored otherwise. Turned by 180 degrees is mirrored both ways. */
 static bool better_mirrored(const struct solving *solving, struct model *best, double *best_px)
 {
@@ -110,6 +123,8 @@ static bool better_mirrored(const struct solving *solving, struct model *best, d
         *best_px = error_px;
         *best = trial;
     }
+    if (turns && isfinite(*best_px))
+        turn_least(solving, &best->base.output);
     return *best_px < 0.25 * solving->error_px;
 }
 
@@ -122,15 +137,19 @@ static bool find(struct solving *solving)
         return refuse(solving, "the marks fit nowhere: no position and aim lead to their pixels");
     if (!(solving->error_px > poor_px) || !better_mirrored(solving, &mirrored, &mirrored_px))
         return true;
+    int was = solving->model.base.output.flip, is = mirrored.base.output.flip;
+    char same[80] = "";
+    if (solving->model.free & SOLVE_AIM)
+        snprintf(same, sizeof same, " (the same as \"%s\" with 180 degrees more of roll)",
+                 flip_name(is ^ (CUPOLA_FLIP_X | CUPOLA_FLIP_Y)));
     if (!solving->request.flips)
         return refuse(solving,
                       "the marks fit %.3g times better with the picture mirrored otherwise, flip "
-                      "\"%s\" instead of \"%s\"; allowed: that flip in the rig, or --flips",
-                      solving->error_px / fmax(mirrored_px, 1e-6),
-                      flip_name(mirrored.base.output.flip),
-                      flip_name(solving->model.base.output.flip));
-    warn(solving->result, "the picture is mirrored: flip \"%s\" instead of \"%s\"",
-         flip_name(mirrored.base.output.flip), flip_name(solving->model.base.output.flip));
+                      "\"%s\" instead of \"%s\"%s; allowed: that flip in the rig, or --flips",
+                      solving->error_px / fmax(mirrored_px, 1e-6), flip_name(is), flip_name(was),
+                      same);
+    warn(solving->result, "the picture is mirrored: flip \"%s\" instead of \"%s\"%s", flip_name(is),
+         flip_name(was), same);
     solving->model = mirrored;
     solving->error_px = mirrored_px;
     return true;
