@@ -92,6 +92,42 @@ static int open_tool(const struct tool_options *options, struct tool *tool, char
     return status;
 }
 
+/* A journal goes on where it ended even if what it began with has changed since: that is said. */
+static void warn_of_others(const struct tool_options *options, struct tool *tool)
+{
+    struct journal_others others = journal_others(tool->journal);
+    struct short_path rig = short_path(options->rig ? options->rig : "");
+    struct short_path marks = short_path(options->marks ? options->marks : "");
+    char what[2 * SHORT_PATH_MAX + 80] = "";
+
+    if (!others.rig && !others.marks)
+        return;
+    if (others.rig && options->rig)
+        snprintf(what, sizeof what, "%s has been changed since", rig.text);
+    else if (others.rig)
+        snprintf(what, sizeof what, "%s%s is another rig than it began with",
+                 options->preset ? "--preset " : "the default",
+                 options->preset ? options->preset : "");
+    if (others.marks)
+        snprintf(what + strlen(what), sizeof what - strlen(what), "%s%s has been changed since",
+                 others.rig ? ", " : "", marks.text);
+    snprintf(tool->warning, MESSAGE_SIZE,
+             "restored from the journal, but %s: --fresh takes what is there now, S writes over it",
+             what);
+}
+
+/* What was not saved, and where it is. */
+static void tell_unsaved(const struct tool *tool)
+{
+    const char *path = journal_path(tool->journal);
+
+    if (journal_is_whole(tool->journal))
+        fprintf(stderr, "cupola-calib: unsaved changes are kept in %s\n", short_path(path).text);
+    else
+        fprintf(stderr, "cupola-calib: unsaved changes are lost: %s cannot be written (%s)\n",
+                short_path(path).text, strerror(errno));
+}
+
 /* Journal, then what the command line says over it. */
 static int begin(const struct tool_options *options, struct tool *tool, char *message)
 {
@@ -103,6 +139,7 @@ static int begin(const struct tool_options *options, struct tool *tool, char *me
     if ((!options->script && !options->picture && !options->headless) || options->journal) {
         if (journal_open(tool, options->fresh, message) == JOURNAL_FAILED)
             return STATUS_FAILED;
+        warn_of_others(options, tool);
     }
     if (options->theatre)
         tool->theatre = theatre;
@@ -233,8 +270,7 @@ static int run(const struct tool_options *options, char *message)
                      ? run_without_window(options, &tool, message)
                      : run_window(options, &tool, message);
     if (tool.journal && tool.unsaved)
-        fprintf(stderr, "cupola-calib: unsaved changes are kept in %s.journal\n",
-                short_path(tool.rig_path).text);
+        tell_unsaved(&tool);
     tool_close(&tool);
     return status;
 }

@@ -5,7 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
+#include "output_file.h"
 #include "short_path.h"
 #include "tool/journal_file.h"
 #include "tool/journal_play.h"
@@ -17,6 +19,7 @@ struct journal {
     bool failing;    /* the last line could not be written */
     double synced_s; /* when it was brought to the disk last */
     int look[4];     /* as it was written last */
+    struct journal_others others;
 };
 
 static const double sync_s = 1; /* between two times that it is brought to the disk */
@@ -96,6 +99,7 @@ static enum journal_found found(struct tool *tool, enum journal_played played,
     switch (played) {
     case JOURNAL_PLAYED:
         journal->lines = play->lines;
+        journal->others = play->others;
         journal_file_cut(&journal->file, play->good);
         steps = history_undo_count(tool->history);
         snprintf(tool->notice, MESSAGE_SIZE,
@@ -141,10 +145,30 @@ static enum journal_found look_into(struct tool *tool, bool fresh, char *message
     return result;
 }
 
+/* One name for one file, whichever of its links it is called by. To be freed. */
+static char *path_beside(const char *rig_path)
+{
+    char *behind = output_file_behind_links(rig_path), *path = NULL;
+    struct stat named;
+    const char *rig = rig_path;
+    size_t size;
+
+    if (!behind)
+        return NULL;
+    /* What is no link keeps the name it was given. */
+    if (lstat(rig_path, &named) == 0 && S_ISLNK(named.st_mode))
+        rig = behind;
+    size = strlen(rig) + sizeof ".journal";
+    path = malloc(size);
+    if (path)
+        snprintf(path, size, "%s.journal", rig);
+    free(behind);
+    return path;
+}
+
 enum journal_found journal_open(struct tool *tool, bool fresh, char *message)
 {
-    size_t size = strlen(tool->rig_path) + sizeof ".journal";
-    char *path = malloc(size);
+    char *path = path_beside(tool->rig_path);
     struct journal *journal = calloc(1, sizeof *journal);
     enum journal_file_opened opened = JOURNAL_FILE_REFUSED;
     enum journal_found result = JOURNAL_FAILED;
@@ -152,7 +176,6 @@ enum journal_found journal_open(struct tool *tool, bool fresh, char *message)
     if (!path || !journal) {
         snprintf(message, MESSAGE_SIZE, "out of memory for the journal");
     } else {
-        snprintf(path, size, "%s.journal", tool->rig_path);
         opened = journal_file_open(&journal->file, path, message);
     }
     free(path);
@@ -216,6 +239,21 @@ void journal_idle(struct journal *journal, double time_s)
         return;
     journal->synced_s = time_s;
     journal_file_sync(&journal->file);
+}
+
+const char *journal_path(const struct journal *journal)
+{
+    return journal->file.path;
+}
+
+bool journal_is_whole(struct journal *journal)
+{
+    return journal_file_flush(&journal->file);
+}
+
+struct journal_others journal_others(const struct journal *journal)
+{
+    return journal ? journal->others : (struct journal_others){false, false};
 }
 
 void journal_close(struct journal **journal, bool remove_file)

@@ -20,7 +20,7 @@ enum journal_found {
 };
 
 /*
- * Opens tool->rig_path + ".journal" for a tool that was just opened, and locks it. One that exists
+ * Opens tool->rig_path + ".journal", behind links, for a tool that was just opened, and locks it. One that exists
  * is played into the tool; with `fresh` it is moved aside as .journal.old. A damaged one is moved
  * aside as .journal.damaged and refused; so is one that another tool uses, that belongs to another
  * projector, or that cannot be written; the tool is then as it was.
@@ -39,6 +39,18 @@ void journal_look(struct tool *tool);
 
 /* Brings it to the disk, where the last time was a second ago. */
 void journal_idle(struct journal *journal, double time_s);
+
+/* Its file, as it is named in messages. */
+const char *journal_path(const struct journal *journal);
+
+/* Whether all that happened stands in its file; what a full disk did not take is tried again. */
+bool journal_is_whole(struct journal *journal);
+
+/* What the tool was opened with that was passed over for a journal, though it has changed since. */
+struct journal_others {
+    bool rig, marks;
+};
+struct journal_others journal_others(const struct journal *journal);
 
 /* Lets go of it, and removes the file if nothing in it is needed any more. NULL is allowed. */
 void journal_close(struct journal **journal, bool remove_file);

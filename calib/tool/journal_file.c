@@ -176,7 +176,7 @@ static void keep(struct journal_file *file, const char *bytes, size_t size)
     errno = problem;
 }
 
-bool journal_file_append(struct journal_file *file, const char *bytes, size_t size)
+bool journal_file_flush(struct journal_file *file)
 {
     size_t done;
 
@@ -188,8 +188,19 @@ bool journal_file_append(struct journal_file *file, const char *bytes, size_t si
         done = write_all(file->fd, file->pending, file->pending_size);
         file->pending_size -= done;
         memmove(file->pending, file->pending + done, file->pending_size);
+        file->dirty = true;
     }
-    done = file->pending_size == 0 ? write_all(file->fd, bytes, size) : 0;
+    return file->pending_size == 0;
+}
+
+bool journal_file_append(struct journal_file *file, const char *bytes, size_t size)
+{
+    bool flushed = journal_file_flush(file);
+    size_t done;
+
+    if (file->fd < 0)
+        return false;
+    done = flushed ? write_all(file->fd, bytes, size) : 0;
     file->dirty = true;
     if (done == size)
         return true;

@@ -40,6 +40,9 @@ bool journal_file_cut(struct journal_file *file, size_t size);
  */
 bool journal_file_append(struct journal_file *file, const char *bytes, size_t size);
 
+/* Tries once more to write what waits; whether nothing is missing in the file. */
+bool journal_file_flush(struct journal_file *file);
+
 /* Brings it to the disk. */
 void journal_file_sync(struct journal_file *file);
 

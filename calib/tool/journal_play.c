@@ -113,8 +113,17 @@ struct playing {
     struct journal_start start;
     struct tool trial;
     bool opened;
+    struct journal_others from_start, from_saved; /* how the given tool differs from them */
     struct journal_play *play;
 };
+
+static struct journal_others compare(const struct tool *tool, const struct tool *then)
+{
+    /* Without marks, those of the journal are what is wished. */
+    return (struct journal_others){!journal_start_same_rig(tool, then),
+                                   tool->marks_path &&
+                                       !journal_start_same_marks(&tool->marks, &then->marks)};
+}
 
 static bool open_trial(struct playing *playing, const struct tool *tool)
 {
@@ -126,6 +135,7 @@ static bool open_trial(struct playing *playing, const struct tool *tool)
                   tool->marks_path ? tool->marks_path : start->marks_path, message);
     if (!playing->opened)
         return false;
+    playing->from_start = playing->from_saved = compare(tool, &playing->trial);
     if (!values_check(&playing->trial, &start->values, message))
         return false;
     values_put(&playing->trial, &start->values);
@@ -135,11 +145,17 @@ static bool open_trial(struct playing *playing, const struct tool *tool)
 
 static bool take(struct playing *playing, const struct tool *tool, struct journal_text *text)
 {
+    bool saves, played;
+
     if (playing->start.done) {
         /* Looking elsewhere and another size are nothing that anyone would miss. */
         playing->play->changes +=
             strncmp(text->text, "look ", 5) != 0 && strncmp(text->text, "resize ", 7) != 0;
-        return play_line(&playing->trial, text->text);
+        saves = strcmp(text->text, "saved") == 0;
+        played = play_line(&playing->trial, text->text);
+        if (saves)
+            playing->from_saved = compare(tool, &playing->trial);
+        return played;
     }
     if (!journal_start_take(&playing->start, text->text))
         return false;
@@ -210,6 +226,8 @@ enum journal_played journal_play(struct tool *tool, const char *bytes, size_t si
     whole = take_lines(playing, tool, bytes, size) && is_beginning(playing, bytes, size);
     play->wrong = play->lines + 1;
     play->output = playing->start.output;
+    play->others = (struct journal_others){playing->from_start.rig && playing->from_saved.rig,
+                                           playing->from_start.marks && playing->from_saved.marks};
     if (!whole)
         result = JOURNAL_DAMAGED;
     else if (!playing->start.done || play->changes == 0)

@@ -2,6 +2,7 @@
 #ifndef JOURNAL_PLAY_H
 #define JOURNAL_PLAY_H
 
+#include "tool/journal.h"
 #include "tool/tool.h"
 
 enum journal_played {
@@ -18,6 +19,7 @@ struct journal_play {
     long changes; /* of rig, marks and history behind the start */
     long wrong;   /* JOURNAL_DAMAGED: number of the line */
     int output;   /* whose it is */
+    struct journal_others others;
 };
 
 /*

@@ -98,6 +98,61 @@ bool journal_start_line(const struct tool *tool, int index, struct journal_text 
     return false;
 }
 
+static bool near(double a, double b)
+{
+    return fabs(a - b) <= 1e-9 * (1 + fabs(a));
+}
+
+/* Word by word; numbers by what they are. */
+static bool same_line(char *a, char *b)
+{
+    char *mine, *other;
+
+    for (;;) {
+        double values[2];
+        mine = journal_word(&a);
+        other = journal_word(&b);
+        if (!mine || !other)
+            return mine == other;
+        if (strcmp(mine, other) != 0 &&
+            (!parse_number(mine, &values[0]) || !parse_number(other, &values[1]) ||
+             !near(values[0], values[1])))
+            return false;
+    }
+}
+
+bool journal_start_same_rig(const struct tool *a, const struct tool *b)
+{
+    /* Lines are the rig's until the first of the marks. */
+    static const char end[] = "marks ";
+    struct journal_text mine, other;
+
+    for (int i = 0;; i++) {
+        if (!journal_start_line(a, i, &mine) || !journal_start_line(b, i, &other))
+            return false;
+        if (strncmp(mine.text, end, strlen(end)) == 0)
+            return strncmp(other.text, end, strlen(end)) == 0;
+        if (!same_line(mine.text, other.text))
+            return false;
+    }
+}
+
+bool journal_start_same_marks(const struct marks *a, const struct marks *b)
+{
+    struct journal_text mine, other;
+
+    if (a->kind != b->kind || a->count != b->count)
+        return false;
+    for (int i = 0; i < a->count; i++) {
+        mine = other = (struct journal_text){0};
+        print_mark(&a->list[i], &mine);
+        print_mark(&b->list[i], &other);
+        if (!same_line(mine.text, other.text))
+            return false;
+    }
+    return true;
+}
+
 static bool take_rig(struct journal_start *start, char **at)
 {
     struct cupola_rig *rig = &start->rig;

@@ -24,6 +24,13 @@ struct journal_start {
 /* Takes the next line. False where it is none that can stand there; `text` is written into. */
 bool journal_start_take(struct journal_start *start, char *text);
 
+/*
+ * Whether two tools have the same rig, or the same marks, but for what files lose by writing
+ * angles as degrees.
+ */
+bool journal_start_same_rig(const struct tool *a, const struct tool *b);
+bool journal_start_same_marks(const struct marks *a, const struct marks *b);
+
 /* Gives back what it holds. */
 void journal_start_free(struct journal_start *start);
 

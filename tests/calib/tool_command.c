@@ -150,6 +150,65 @@ static void killed_it_goes_on_where_it_was(void **state)
               0, "");
 }
 
+/* A rig of its own, and a session that leaves an unsaved yaw of 7 behind. */
+static const char left_unsaved[] =
+    "rm -f o.cfg* o.csv*; printf 'set pitch_deg 1.1\\nsave\\n' | \"$C\" --output o.cfg --script -;"
+    "printf 'name,dir_x,dir_y,dir_z\\na,0,0,-1\\nb,0.6,0,-0.8\\n' >o.csv;"
+    "printf '%sset yaw_deg 7\\n' | \"$C\" o.cfg --marks o.csv --script - --journal 2>/dev/null; ";
+
+static void what_was_changed_behind_a_journal_is_told(void **state)
+{
+    static const struct {
+        const char *saved, *changes, *given, *says; /* NULL: nothing */
+    } cases[] = {
+        {"", "true", "o.cfg --marks o.csv", NULL},
+        {"", "true", "o.cfg", NULL},
+        {"", "sed -i 's/1\\.1/2.1/' o.cfg", "o.cfg --marks o.csv",
+         "but o.cfg has been changed since"},
+        {"", "sed -i s/0.6/0.5/ o.csv", "o.cfg --marks o.csv", "but o.csv has been changed since"},
+        {"", "true", "--preset domemaster --output o.cfg",
+         "but --preset domemaster is another rig"},
+        {"", "true", "--output o.cfg", "but the default is another rig"},
+        {"set pitch_deg 3.3\\nkey M\\nkey Enter\\nsave\\n", "true", "o.cfg --marks o.csv", NULL},
+        {"set pitch_deg 3.3\\nkey M\\nkey Enter\\nsave\\n", "true", "o.cfg --marks o-steered.csv",
+         NULL},
+        {"set pitch_deg 3.3\\nsave\\n", "sed -i 's/3\\.3/2.1/' o.cfg", "o.cfg",
+         "but o.cfg has been changed"},
+    };
+    char line[3000], session[1500];
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        snprintf(session, sizeof session, left_unsaved, cases[i].saved);
+        snprintf(line, sizeof line,
+                 "%s %s; printf 'expect yaw_deg 7\\n' | \"$C\" %s --script - --journal", session,
+                 cases[i].changes, cases[i].given);
+        check_run(line, 0, cases[i].says ? cases[i].says : "restored from");
+        if (!cases[i].says && strstr(output, ", but "))
+            fail_msg("%s: %s", line, output);
+    }
+}
+
+static void links_lead_to_one_journal(void **state)
+{
+    (void)state;
+    check_run("\"$C\" --output l.cfg --script - --journal </dev/null; echo save | \"$C\" --output "
+              "l.cfg --script -; ln -s l.cfg link.cfg; mkfifo names;"
+              "\"$C\" l.cfg --script - --journal <names & exec 9<>names;"
+              "for i in $(seq 2000); do test -s l.cfg.journal && break; sleep 0.01; done;"
+              "\"$C\" link.cfg --script - --journal </dev/null; status=$?;"
+              "exec 9>&-; wait; test ! -e link.cfg.journal && exit $status",
+              1, "in use");
+}
+
+static void on_a_full_disk_what_is_lost_is_said(void **state)
+{
+    (void)state;
+    check_run("(ulimit -f 0; echo 'key X' | \"$C\" --output f.cfg --script - --journal)", 0,
+              "unsaved changes are lost: f.cfg.journal cannot be written (File too large)");
+    assert_null(strstr(output, "are kept"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -160,6 +219,9 @@ int main(void)
         cmocka_unit_test(a_script_keeps_a_journal_only_if_asked),
         cmocka_unit_test(two_programs_cannot_share_a_rig),
         cmocka_unit_test(killed_it_goes_on_where_it_was),
+        cmocka_unit_test(what_was_changed_behind_a_journal_is_told),
+        cmocka_unit_test(links_lead_to_one_journal),
+        cmocka_unit_test(on_a_full_disk_what_is_lost_is_said),
     };
     return cmocka_run_group_tests(tests, enter_folder, NULL);
 }
