@@ -21,7 +21,7 @@ static const double saturated_light = 0.957;
 static const double faint_bit = 0.15;
 static const double weak_sine = 0.25;
 /* Code and phase differ by half a stripe at most; blur at borders adds some. */
-static const double most_off = 0.8;
+static const double most_off = 0.8, surely_off = 0.6;
 
 /* While photographs are read. */
 struct reading {
@@ -35,6 +35,11 @@ struct reading {
     bool cuts_off; /* the files hold no more than 1 */
     struct code_noise noise;
 };
+
+static bool is_lit(const struct code_map *map, size_t i)
+{
+    return map->state[i] != CODE_DARK && map->state[i] != CODE_SATURATED;
+}
 
 const char *code_state_text(enum code_state state)
 {
@@ -124,19 +129,31 @@ static void clear_axis(struct reading *reading)
 
     memset(reading->code, 0, count * sizeof *reading->code);
     memset(reading->faint, 0, count);
+    code_check_begin_axis(&reading->map->check);
     for (int i = 0; i < 4; i++)
         memset(reading->sums[i], 0, count * sizeof **reading->sums);
 }
 
-static void add_bit(struct reading *reading, const struct photo *inverse)
+static bool add_bit(struct reading *reading, const struct photo *inverse, int number, char *message)
 {
+    struct code_check *check = &reading->map->check;
+
+    code_check_begin_pair(check);
     for (size_t i = 0; i < pixel_count(reading->map); i++) {
         double contrast = (double)reading->white.light[i] - (double)reading->black.light[i];
         double bit = (double)reading->previous.light[i] - (double)inverse->light[i];
+        double both = (double)reading->previous.light[i] + (double)inverse->light[i];
+        double expected = (double)reading->white.light[i] + (double)reading->black.light[i];
         reading->code[i] = reading->code[i] << 1 | (bit > 0);
         if (!(fabs(bit) >= faint_bit * contrast) && reading->faint[i] < 255)
             reading->faint[i]++;
+        if (!is_lit(reading->map, i))
+            continue;
+        check->contrast += contrast;
+        check->mismatch += fabs(both - expected);
     }
+    return code_check_pair(check, reading->settings->paths[number - 1],
+                           reading->settings->paths[number], message);
 }
 
 static void add_step(struct reading *reading, const struct photo *photo, int step)
@@ -151,6 +168,16 @@ static void add_step(struct reading *reading, const struct photo *photo, int ste
         reading->sums[2][i] += light * cosine;
         reading->sums[3][i] += light * sine;
     }
+}
+
+/* `clear`: its bits and its sine are. */
+static void add_to_check(struct code_check *check, double contrast, double variance, bool clear,
+                         double off)
+{
+    check->contrast_square += contrast * contrast;
+    check->variance += variance;
+    check->tested += clear;
+    check->off += clear && off > surely_off;
 }
 
 static void finish_pixel(struct reading *reading, int axis, size_t i)
@@ -168,6 +195,8 @@ static void finish_pixel(struct reading *reading, int axis, size_t i)
 
     if (map->state[i] != CODE_DECODED)
         return;
+    add_to_check(&map->check, contrast, squares / (steps - 3),
+                 reading->faint[i] <= 1 && amplitude >= weak_sine * 0.5 * contrast, off);
     if (reading->faint[i] > 1 || !(amplitude >= weak_sine * 0.5 * contrast) || !(off <= most_off) ||
         place < -1 || place > series->size_px[axis] + 1) {
         map->state[i] = CODE_UNSURE;
@@ -188,12 +217,13 @@ static bool add(struct reading *reading, int number, const struct photo *photo, 
     if (picture.kind == SERIES_CODE && picture.index == 0)
         clear_axis(reading);
     if (picture.kind == SERIES_INVERSE)
-        add_bit(reading, photo);
+        return add_bit(reading, photo, number, message);
     if (picture.kind == SERIES_SINE)
         add_step(reading, photo, picture.index);
     if (picture.kind == SERIES_SINE && picture.index == series->steps - 1) {
         for (size_t i = 0; i < pixel_count(reading->map); i++)
             finish_pixel(reading, picture.axis, i);
+        return code_check_axis(&reading->map->check, picture.axis, message);
     }
     return true;
 }

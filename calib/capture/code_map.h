@@ -5,6 +5,7 @@
 #ifndef CODE_MAP_H
 #define CODE_MAP_H
 
+#include "capture/code_check.h"
 #include "capture/photo.h"
 #include "capture/series.h"
 
@@ -25,7 +26,8 @@ struct code_map {
     float *sd_px[2];      /* its standard deviation as the noise predicts it */
     unsigned char *state; /* of enum code_state */
     int counts[CODE_STATES];
-    double noise;    /* of one photograph, at mid-grey of what is decoded; 1: all that it holds */
+    double noise; /* of one photograph, at mid-grey of what is decoded; 1: all that it holds */
+    struct code_check check;
     double contrast; /* median between all light and none of what is decoded; 0: nothing is */
 };
 

@@ -60,6 +60,16 @@ static void describe_states(const struct code_map *map, char *text, size_t text_
                                    100 * map->counts[i] / all, code_state_text((enum code_state)i));
 }
 
+static void warn(const struct code_map *map)
+{
+    int lost = map->counts[CODE_UNSURE] + map->counts[CODE_NOISY];
+    char text[300];
+
+    code_check_warning(&map->check, map->counts[CODE_DECODED] + lost, lost, text, sizeof text);
+    if (*text)
+        fprintf(stderr, "cupola-calib capture decode: %s\n", text);
+}
+
 static int find_patches(struct decoding *decoding, char *message)
 {
     char states[300];
@@ -77,6 +87,7 @@ static int find_patches(struct decoding *decoding, char *message)
     printf("pixels: %s (%dx%d)\n", states, decoding->map.width, decoding->map.height);
     printf("light: contrast %.3g, noise %.2g, of what a photograph holds\n", decoding->map.contrast,
            decoding->map.noise);
+    warn(&decoding->map);
     return STATUS_OK;
 }
 

@@ -63,18 +63,27 @@ static double sight_light(const struct series_picture *picture, int i, int j, vo
     return shown;
 }
 
-static void read_map(const char *folder, const struct series *series, struct code_map *map)
+static bool try_map(const char *folder, const struct series *series, struct code_map *map,
+                    char *message)
 {
-    char message[MESSAGE_SIZE];
     struct folder_photos photos;
     struct code_settings settings = {.series = series, .least_contrast = 0.02};
+    bool done;
 
     assert_true(folder_list(folder, &photos, message));
     assert_int_equal(photos.count, series_count(series));
     settings.paths = photos.paths;
-    if (!code_map_read(&settings, map, message))
-        fail_msg("%s", message);
+    done = code_map_read(&settings, map, message);
     folder_photos_free(&photos);
+    return done;
+}
+
+static void read_map(const char *folder, const struct series *series, struct code_map *map)
+{
+    char message[MESSAGE_SIZE];
+
+    if (!try_map(folder, series, map, message))
+        fail_msg("%s", message);
 }
 
 static double worst_error(const struct sight *sight, const struct code_map *map)
@@ -160,6 +169,7 @@ static void test_the_phase_puts_codes_at_borders_right(void **state)
 
 static void test_every_pixel_comes_back_without_noise(void **state)
 {
+    char message[MESSAGE_SIZE];
     struct sight sight = {.series = &small, .scale = 0.45, .shift_px = {0.3, 0.2}, .lit = 0.7};
     struct code_map map;
 
@@ -171,13 +181,11 @@ static void test_every_pixel_comes_back_without_noise(void **state)
     check_at_most(worst_error(&sight, &map), 1e-3);
     code_map_free(&map);
 
-    /* The control: sines that run the other way are seen, or give wrong places. */
+    /* The control: sines that run the other way are seen. */
     sight.swapped_steps = 1;
     capture_write_photos("photos", &small, 440, 158, sight_light, &sight);
-    read_map("photos", &small, &map);
-    check_at_most(map.counts[CODE_DECODED], 0.5 * map.width * map.height);
-    check_at_least(worst_error(&sight, &map), 1);
-    code_map_free(&map);
+    assert_false(try_map("photos", &small, &map, message));
+    assert_non_null(strstr(message, "stripes and sines of x disagree"));
 }
 
 /* The pictures as they are written, 8 bits of sRGB: photographed at less than full light. */

@@ -6,6 +6,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "capture/code_check.h"
 #include "capture/folder.h"
 #include "capture/photo.h"
 #include "capture_fixture.h"
@@ -20,13 +21,28 @@ enum { FAILED = 1, USAGE = 2 };
 struct flaw {
     double lit;
     double ambient;
+    struct series_picture taken, instead; /* where they differ: one photograph of another picture */
+    bool black;                           /* and of nothing at all */
 };
+
+static bool same_picture(const struct series_picture *a, const struct series_picture *b)
+{
+    return a->kind == b->kind && a->axis == b->axis && a->index == b->index;
+}
 
 static double photo_light(const struct series_picture *picture, int i, int j, void *data)
 {
     static const struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
     const struct flaw *flaw = data;
 
+    if (same_picture(picture, &flaw->taken) && flaw->black)
+        return flaw->ambient;
+    if (flaw->black)
+        return flaw->ambient + flaw->lit * series_light(&series, picture, i, j);
+    if (same_picture(picture, &flaw->taken))
+        picture = &flaw->instead;
+    else if (same_picture(picture, &flaw->instead))
+        picture = &flaw->taken;
     return flaw->ambient + flaw->lit * series_light(&series, picture, i, j);
 }
 
@@ -216,6 +232,68 @@ static void test_dark_and_broken_photographs_are_said(void **state)
     refuse(DECODE "--folder mixed", FAILED, "patterns.txt:2: 'colour = red' is not allowed");
 }
 
+static void test_photographs_of_another_picture_are_said(void **state)
+{
+    struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
+    struct {
+        struct flaw flaw;
+        const char *reason;
+    } wrong[] = {
+        {{.taken = {SERIES_SINE, 0, 0}, .instead = {SERIES_SINE, 0, 1}},
+         "the sines of x do not follow each other: what is left over is "},
+        {{.taken = {SERIES_SINE, 1, 2}, .instead = {SERIES_SINE, 1, 3}}, "the sines of y do not"},
+        {{.taken = {SERIES_SINE, 1, 1}, .black = true}, "the sines of y do not"},
+        {{.taken = {SERIES_CODE, 0, 1}, .black = true},
+         "04-x-code-1.pfm and odd/05-x-inverse-1.pfm do not show stripes and their inverse"},
+        {{.taken = {SERIES_CODE, 0, 1}, .instead = {SERIES_CODE, 1, 1}}, "and their inverse"},
+        {{.taken = {SERIES_CODE, 1, 0}, .instead = {SERIES_INVERSE, 1, 0}},
+         "stripes and sines of y disagree at "},
+        {{.taken = {SERIES_CODE, 0, 3}, .instead = {SERIES_INVERSE, 0, 3}},
+         "stripes and sines of x disagree at "},
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        wrong[i].flaw.lit = 0.7;
+        wrong[i].flaw.ambient = 0.05;
+        capture_write_photos("odd", &series, 60, 48, photo_light, &wrong[i].flaw);
+        refuse(DECODE "--folder odd", FAILED, wrong[i].reason);
+    }
+}
+
+static void test_noise_and_lost_places_are_worth_a_warning(void **state)
+{
+    struct code_check check = {.noise = {0.01, 0.08}};
+    char text[300];
+
+    (void)state;
+    code_check_warning(&check, 1000, 0, text, sizeof text);
+    assert_non_null(strstr(text, "the noise is 8 % of the contrast"));
+    check.noise[1] = 0.03;
+    code_check_warning(&check, 1000, 300, text, sizeof text);
+    assert_non_null(strstr(text, "30 % of what is lit has no sure place"));
+    code_check_warning(&check, 1000, 200, text, sizeof text);
+    assert_string_equal(text, "");
+}
+
+/* By name, so that nothing of them need be read. */
+static void test_names_in_another_order_are_refused(void **state)
+{
+    struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
+    int count = series_count(&series);
+    char line[2000] = DECODE "--patterns right", name[SERIES_NAME_MAX + 1];
+
+    (void)state;
+    for (int i = 0; i < count; i++) {
+        size_t length = strlen(line);
+        series_name(&series, count - 1 - i, name);
+        snprintf(line + length, sizeof line - length, " right/%s.pfm", name);
+    }
+    refuse(line, FAILED,
+           "photograph 1 is right/25-y-sine-3.pfm; allowed: the order of the patterns, where "
+           "00-white has this place");
+}
+
 static void test_saturated_photographs_are_said(void **state)
 {
     char message[MESSAGE_SIZE], name[SERIES_NAME_MAX + 1], path[PATH_MAX];
@@ -258,6 +336,9 @@ int main(void)
         cmocka_unit_test(test_no_file_is_written_over_another),
         cmocka_unit_test(test_a_folder_is_for_one_series),
         cmocka_unit_test(test_dark_and_broken_photographs_are_said),
+        cmocka_unit_test(test_photographs_of_another_picture_are_said),
+        cmocka_unit_test(test_noise_and_lost_places_are_worth_a_warning),
+        cmocka_unit_test(test_names_in_another_order_are_refused),
         cmocka_unit_test(test_saturated_photographs_are_said),
         cmocka_unit_test(test_the_right_input_is_taken),
     };
