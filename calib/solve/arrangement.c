@@ -96,3 +96,29 @@ bool arrangement_suffices(const struct arrangement *arrangement, char *message)
     }
     return true;
 }
+
+static bool same_place(const struct mark *a, const struct mark *b, double near_px)
+{
+    double d[3], e[3],
+        apart_px = hypot(a->pixel_px[0] - b->pixel_px[0], a->pixel_px[1] - b->pixel_px[1]);
+
+    if (apart_px < near_px || !direction(a, d) || !direction(b, e))
+        return true;
+    return product(d, e) > cos(degree);
+}
+
+int arrangement_places(const struct marks *marks, const bool *rejected, double near_px, int most)
+{
+    enum { PLACES_MAX = 32 };
+    int places[PLACES_MAX], count = 0;
+
+    most = most < PLACES_MAX ? most : PLACES_MAX;
+    for (int m = 0; m < marks->count && count < most; m++) {
+        bool again = rejected && rejected[m];
+        for (int i = 0; i < count && !again; i++)
+            again = same_place(&marks->list[places[i]], &marks->list[m], near_px);
+        if (!again)
+            places[count++] = m;
+    }
+    return count;
+}

@@ -23,4 +23,10 @@ void arrangement_measure(const struct marks *marks, const bool *rejected,
  */
 bool arrangement_suffices(const struct arrangement *arrangement, char *message);
 
+/*
+ * How many different places are marked; counts up to `most`. Marks within a degree of each other
+ * or with pixels within `near_px` of each other are one place that was measured again.
+ */
+int arrangement_places(const struct marks *marks, const bool *rejected, double near_px, int most);
+
 #endif

@@ -14,16 +14,26 @@ static bool refuse(char *message, const char *why)
     return false;
 }
 
-bool refusal_enough(int marks, int values, const char *which, char *message)
+bool refusal_enough(const struct marks *marks, const bool *rejected, int count, double near_px,
+                    int values, char *message)
 {
     int least = consensus_least(values);
 
-    if (marks >= least)
+    if (count < least) {
+        snprintf(message, MESSAGE_SIZE,
+                 "%d mark%s%s cannot determine %d values: each gives two numbers, and some have to "
+                 "be left over to see errors; allowed: %d at least",
+                 count, count == 1 ? "" : "s", rejected ? " that agree" : "", values, least);
+        return false;
+    }
+    int places = arrangement_places(marks, rejected, near_px, least);
+    if (places >= least)
         return true;
     snprintf(message, MESSAGE_SIZE,
-             "%d mark%s%s cannot determine %d values: each gives two numbers, and some have to be "
-             "left over to see errors; allowed: %d at least",
-             marks, marks == 1 ? "" : "s", which, values, least);
+             "%d marks%s at %d different place%s, more than a degree and %.2g px apart, cannot "
+             "determine %d values, however often each was measured; allowed: %d places at least",
+             count, rejected ? " that agree" : "", places, places == 1 ? "" : "s", near_px, values,
+             least);
     return false;
 }
 
@@ -63,12 +73,13 @@ static bool check_marks(const struct marks *marks, char *message)
     return true;
 }
 
-bool refusal_check(const struct solve_request *request, int free, int count, char *message)
+bool refusal_check(const struct solve_request *request, int free, int count, double near_px,
+                   char *message)
 {
     struct arrangement arrangement;
 
     if (!check_combination(request, free, message) || !check_marks(request->marks, message) ||
-        !refusal_enough(request->marks->count, count, "", message))
+        !refusal_enough(request->marks, NULL, request->marks->count, near_px, count, message))
         return false;
     if (count <= 3)
         return true;

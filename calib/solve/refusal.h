@@ -4,10 +4,18 @@
 
 #include "solve/solve.h"
 
-/* `free` has no 0 and `count` is how many values it means. False with one line in `message`. */
-bool refusal_check(const struct solve_request *request, int free, int count, char *message);
+/*
+ * `free` has no 0, `count` is how many values it means, `near_px` as below. False with one line in
+ * `message`.
+ */
+bool refusal_check(const struct solve_request *request, int free, int count, double near_px,
+                   char *message);
 
-/* Whether that many marks suffice for so many values. */
-bool refusal_enough(int marks, int values, const char *which, char *message);
+/*
+ * Whether the marks that are not rejected (`rejected` may be NULL), `count` of them, suffice for so
+ * many values: in number and at different places. `near_px`: of arrangement_places.
+ */
+bool refusal_enough(const struct marks *marks, const bool *rejected, int count, double near_px,
+                    int values, char *message);
 
 #endif

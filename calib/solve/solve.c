@@ -56,6 +56,12 @@ warn(struct solve_result *result, const char *format, ...)
     va_end(arguments);
 }
 
+/* Pixels so near to each other are the same place. */
+static double near_px(const struct solving *solving)
+{
+    return 0.005 * solving->model.radius_px;
+}
+
 static bool begin(struct solving *solving)
 {
     const struct solve_request *request = &solving->request;
@@ -75,7 +81,7 @@ static bool begin(struct solving *solving)
     if (free & ~every)
         return refuse(solving, "free is %d; allowed: of enum solve_free", free);
     model_begin(&solving->model, request, free);
-    if (!refusal_check(request, free, solving->model.count, solving->message))
+    if (!refusal_check(request, free, solving->model.count, near_px(solving), solving->message))
         return false;
     size_t count = (size_t)request->marks->count;
     solving->rejected = calloc(count, sizeof *solving->rejected);
@@ -199,7 +205,8 @@ static bool settle(struct solving *solving)
                       "tenth of the image circle's radius. The lens, the image circle or the kind "
                       "of the marks may be wrong",
                       solving->result->rms_px);
-    return refusal_enough(kept, solving->model.count, " that agree", solving->message);
+    return refusal_enough(solving->request.marks, solving->rejected, kept, near_px(solving),
+                          solving->model.count, solving->message);
 }
 
 static bool check_certainty(const struct solving *solving, const struct certainty *certainty)
@@ -239,6 +246,9 @@ static void measure_radius(struct solving *solving)
     if (spread > 0.02 * mean)
         warn(result, "the points lie %.3g m from the centre, but for %.2g m: not on one sphere",
              mean, spread);
+    if (result->free & SOLVE_RADIUS && spread < 1e-9 * mean)
+        warn(result,
+             "the points lie at one distance from the centre: the radius's sd says nothing");
     if (result->free & SOLVE_RADIUS) {
         result->rig.screen.radius_m = mean;
         result->radius_sd_m = spread / sqrt(kept);
@@ -265,23 +275,57 @@ static void warn_of_pixels(struct solving *solving)
              outside, marks->count, output->width_px, output->height_px);
 }
 
-static void warn_all(struct solving *solving, const struct certainty *certainty)
+/* So few that their scatter hardly tells the noise, or none at all. */
+static void warn_of_sd(struct solving *solving, const struct certainty *certainty)
+{
+    const double exact = 1e-6; /* of the radius of the image circle */
+    struct solve_result *result = solving->result;
+    int kept = solving->request.marks->count - result->rejected, freedoms = 6;
+    int enough = (certainty->count + freedoms + 1) / 2;
+    int places =
+        arrangement_places(solving->request.marks, solving->rejected, near_px(solving), enough);
+
+    if (certainty->count > 0 && certainty->noise_px < exact * solving->model.radius_px)
+        warn(result, "the residuals are 0, to %.1g px: they show no noise, and the sd say nothing",
+             exact * solving->model.radius_px);
+    else if (places < enough && places < kept)
+        warn(result, "%d marks at %d different places for %d values: their sd are rough", kept,
+             places, certainty->count);
+    else if (places < enough)
+        warn(result, "%d marks for %d values: their sd are rough", kept, certainty->count);
+}
+
+/* Marks that fit badly because of what is not free. */
+static void warn_of_misfit(struct solving *solving)
 {
     struct solve_result *result = solving->result;
-    int at = 0, all = solving->request.marks->count;
+    int all = solving->request.marks->count;
+    const double most_px = 0.005 * solving->model.radius_px;
+
+    if (3 * result->rejected > all)
+        warn(result,
+             "%d of %d marks are rejected, more than a third: the lens, the image circle "
+             "or the radius of the screen may be wrong rather than these marks",
+             result->rejected, all);
+    else if (5 * result->rejected > all)
+        warn(result, "%d of %d marks are rejected: more than a few", result->rejected, all);
+    if (result->rms_px > most_px)
+        warn(result,
+             "residuals of %.3g px (rms) are larger than usual, %.2g px: the lens model, "
+             "the image circle or the radius of the screen may be wrong",
+             result->rms_px, most_px);
+}
+
+static void warn_all(struct solving *solving, const struct certainty *certainty)
+{
+    int at = 0;
     const char *name;
 
     warn_of_pixels(solving);
     while ((name = certainty_weak(&solving->model, certainty, &at)))
-        warn(result, "the marks tell %s only roughly: see its sd", name);
-    if (5 * result->rejected > all)
-        warn(result, "%d of %d marks are rejected: more than a few", result->rejected, all);
-    if (certainty->freedoms < 6)
-        warn(result, "%d marks for %d values: their sd are rough", all - result->rejected,
-             certainty->count);
-    if (result->rms_px > 0.01 * solving->model.radius_px)
-        warn(result, "residuals of %.3g px: the lens or the image circle may be wrong",
-             result->rms_px);
+        warn(solving->result, "the marks tell %s only roughly: see its sd", name);
+    warn_of_sd(solving, certainty);
+    warn_of_misfit(solving);
 }
 
 static bool finish(struct solving *solving)

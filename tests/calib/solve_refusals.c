@@ -116,6 +116,66 @@ static void too_few(void **state)
     expect_solved(&scene, POSE, "their sd are rough");
 }
 
+/* Places of a mark that count once, however often they are measured, and whether exactly. */
+static void few_places_measured_often(void **state)
+{
+    struct scene scene;
+
+    (void)state;
+    for (int exact = 1; exact >= 0; exact--) {
+        begin(&scene);
+        for (int i = 0; i < 15; i++) {
+            add(&scene, 20 + 25 * (i % 3) + 0.1 * (i % 5), 120 * (i % 3));
+            if (exact)
+                theatre_pixel(&scene.rig, &scene.list[i], MARKS_DIRECTIONS, scene.list[i].pixel_px);
+        }
+        expect_refused(&scene, POSE, "15 marks at 3 different places");
+        expect_refused(&scene, POSE, "allowed: 4 places at least");
+        expect_refused(&scene, POSE | SOLVE_CIRCLE | SOLVE_LENS, "allowed: 6 places at least");
+        if (exact)
+            expect_solved(&scene, SOLVE_AIM, "the residuals are 0");
+        else
+            expect_solved(&scene, SOLVE_AIM, "15 marks at 3 different places for 3 values");
+    }
+    add(&scene, 50, 60);
+    expect_solved(&scene, POSE, "16 marks at 4 different places for 6 values: their sd are rough");
+    /* A wrong mark is no further place. */
+    scene.list[15].pixel_px[1] += 150;
+    expect_refused(&scene, POSE, "15 marks that agree at 3 different places");
+}
+
+/* Without noise nothing can be said about it. */
+static void marks_without_errors_do_not_tell_how_good_they_are(void **state)
+{
+    struct scene scene;
+
+    (void)state;
+    begin(&scene);
+    add_rings(&scene, 3, 25);
+    expect_solved(&scene, POSE, NULL);
+    for (int i = 0; i < scene.marks.count; i++)
+        theatre_pixel(&scene.rig, &scene.list[i], MARKS_DIRECTIONS, scene.list[i].pixel_px);
+    expect_solved(&scene, POSE, "the residuals are 0");
+    scene.marks.kind = MARKS_POINTS;
+    for (int i = 0; i < 3 * scene.marks.count; i++)
+        scene.list[i / 3].place[i % 3] *= 2;
+    expect_solved(&scene, POSE | SOLVE_RADIUS, "the radius's sd says nothing");
+}
+
+/* Not the marks are wrong then. */
+static void another_lens_than_that_of_the_start(void **state)
+{
+    struct scene scene;
+
+    (void)state;
+    begin(&scene);
+    scene.rig.outputs[0].lens.model = CUPOLA_LENS_EQUISOLID;
+    add_rings(&scene, 3, 25);
+    expect_solved(&scene, POSE, NULL);
+    scene.rig.outputs[0].lens.model = CUPOLA_LENS_ANGULAR;
+    expect_solved(&scene, POSE, "are larger than usual, 2.6 px: the lens model");
+}
+
 static void all_on_one_meridian(void **state)
 {
     struct scene scene;
@@ -309,6 +369,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_no_marks_can_tell),
         cmocka_unit_test(too_few),
+        cmocka_unit_test(few_places_measured_often),
+        cmocka_unit_test(marks_without_errors_do_not_tell_how_good_they_are),
+        cmocka_unit_test(another_lens_than_that_of_the_start),
         cmocka_unit_test(all_on_one_meridian),
         cmocka_unit_test(all_close_together),
         cmocka_unit_test(all_on_one_circle),
