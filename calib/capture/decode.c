@@ -124,7 +124,7 @@ static void report_pose(const struct decoding *decoding)
 static void report_references(const struct decoding *decoding)
 {
     for (int i = 0; decoding->pose.reference_px && i < decoding->references.count; i++)
-        printf("reference %s: %.3g px of the photograph off\n", decoding->references.list[i].name,
+        printf("%s: %.3g px of the photograph off\n", decoding->references.list[i].name,
                decoding->pose.reference_px[i]);
 }
 
