@@ -38,7 +38,7 @@ bool refusal_enough(const struct marks *marks, const bool *rejected, int count, 
 }
 
 /* Combinations that leave the picture as it is, wherever the marks are. */
-static bool check_combination(const struct solve_request *request, int free, char *message)
+bool refusal_combination(const struct solve_request *request, int free, char *message)
 {
     const struct cupola_output *output = &request->start->outputs[request->output];
     const double *position = output->position_m;
@@ -78,7 +78,7 @@ bool refusal_check(const struct solve_request *request, int free, int count, dou
 {
     struct arrangement arrangement;
 
-    if (!check_combination(request, free, message) || !check_marks(request->marks, message) ||
+    if (!refusal_combination(request, free, message) || !check_marks(request->marks, message) ||
         !refusal_enough(request->marks, NULL, request->marks->count, near_px, count, message))
         return false;
     if (count <= 3)

@@ -11,6 +11,9 @@
 bool refusal_check(const struct solve_request *request, int free, int count, double near_px,
                    char *message);
 
+/* Of that the part that does not ask the marks but for their kind. */
+bool refusal_combination(const struct solve_request *request, int free, char *message);
+
 /*
  * Whether the marks that are not rejected (`rejected` may be NULL), `count` of them, suffice for so
  * many values: in number and at different places. `near_px`: of arrangement_places.

@@ -11,6 +11,7 @@
 #include "solve/arrangement.h"
 #include "solve/certainty.h"
 #include "solve/consensus.h"
+#include "solve/misfit.h"
 #include "solve/refusal.h"
 
 static const double pi = 3.14159265358979323846;
@@ -300,6 +301,7 @@ static void warn_of_misfit(struct solving *solving)
 {
     struct solve_result *result = solving->result;
     int all = solving->request.marks->count;
+    struct misfit misfit;
     const double most_px = 0.005 * solving->model.radius_px;
 
     if (3 * result->rejected > all)
@@ -309,6 +311,11 @@ static void warn_of_misfit(struct solving *solving)
              result->rejected, all);
     else if (5 * result->rejected > all)
         warn(result, "%d of %d marks are rejected: more than a few", result->rejected, all);
+    if (misfit_find(&solving->request, &solving->model, solving->rejected, &misfit))
+        warn(result,
+             "the residuals are systematic: with %s they would be %.3g px (rms) "
+             "instead of %.3g px; something is not as the rig says",
+             misfit.what, misfit.freed_px, misfit.rms_px);
     if (result->rms_px > most_px)
         warn(result,
              "residuals of %.3g px (rms) are larger than usual, %.2g px: the lens model, "

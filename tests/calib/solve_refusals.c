@@ -174,6 +174,14 @@ static void another_lens_than_that_of_the_start(void **state)
     expect_solved(&scene, POSE, NULL);
     scene.rig.outputs[0].lens.model = CUPOLA_LENS_ANGULAR;
     expect_solved(&scene, POSE, "are larger than usual, 2.6 px: the lens model");
+    expect_solved(&scene, POSE, "systematic: with the lens model \"equisolid\"");
+    begin(&scene);
+    add_rings(&scene, 3, 25);
+    scene.rig.outputs[0].lens.fov_rad *= 1.02;
+    expect_solved(&scene, POSE, "systematic: with lens free");
+    scene.rig.outputs[0].lens.fov_rad /= 1.02;
+    scene.rig.outputs[0].circle.center_x_px += 5;
+    expect_solved(&scene, POSE, "systematic: with circle free");
 }
 
 static void all_on_one_meridian(void **state)
@@ -244,7 +252,7 @@ static void contradictions(void **state)
     expect_refused(&scene, POSE, "allowed: ");
 }
 
-/* Mirrored one way or the other; both are the same but for half a turn, and the near one is told. */
+/* Mirrored one way or the other; the same but for half a turn, and the near one is told. */
 static void a_mirrored_picture_is_named(void **state)
 {
     static const char *const said[] = {
