@@ -84,7 +84,8 @@ static double angle_px(const struct camera *camera, const struct mark *mark, con
 static double off_px_of(const struct pose_request *request, const struct camera *camera, int index)
 {
     const struct mark *mark = &request->references->list[index];
-    double radius_m = request->rig->screen.radius_m, place[2] = {NAN, NAN}, point[3], x, y;
+    double radius_m = request->rig->screen.radius_m, place[2] = {HUGE_VAL, HUGE_VAL}, point[3], x,
+           y;
 
     for (int i = 0; i < 3; i++)
         point[i] = mark->place[i] * (request->references->kind == MARKS_DIRECTIONS ? radius_m : 1);
