@@ -20,10 +20,10 @@ enum journal_found {
 };
 
 /*
- * Opens tool->rig_path + ".journal", behind links, for a tool that was just opened, and locks it. One that exists
- * is played into the tool; with `fresh` it is moved aside as .journal.old. A damaged one is moved
- * aside as .journal.damaged and refused; so is one that another tool uses, that belongs to another
- * projector, or that cannot be written; the tool is then as it was.
+ * Opens tool->rig_path + ".journal", behind links, for a tool that was just opened, and locks it.
+ * One that exists is played into the tool; with `fresh` it is moved aside as .journal.old. A
+ * damaged one is moved aside as .journal.damaged and refused; so is one that another tool uses,
+ * that belongs to another projector, or that cannot be written; the tool is then as it was.
  */
 enum journal_found journal_open(struct tool *tool, bool fresh, char *message);
 
