@@ -102,10 +102,10 @@ void overlay_size(const char *text, double scale, double *width, double *height)
 }
 
 /* The first quad: the ground behind the text. */
-static void write_ground(struct overlay *overlay, double width, double height)
+static void write_ground(struct overlay *overlay, double width, double height, int opacity)
 {
     const double corners[4][2] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-    static const unsigned char color[4] = {0, 0, 0, 160};
+    const unsigned char color[4] = {0, 0, 0, (unsigned char)(opacity > 0 ? opacity : 160)};
 
     for (int i = 0; i < 4; i++) {
         float place[3] = {(float)corners[i][0], (float)corners[i][1], 0};
@@ -125,7 +125,7 @@ void overlay_text(struct overlay *overlay, const struct overlay_place *place, co
         memcpy(ink, place->ink, sizeof ink);
     copy_text(copy, text);
     overlay_size(copy, 1, &ground_width, &ground_height);
-    write_ground(overlay, ground_width, ground_height);
+    write_ground(overlay, ground_width, ground_height, place->ground);
     quads = 1 + stb_easy_font_print(MARGIN, MARGIN, copy, ink, overlay->quads + 4 * VERTEX_BYTES,
                                     (int)sizeof overlay->quads - 4 * VERTEX_BYTES);
 

@@ -19,6 +19,7 @@ struct overlay_place {
     double x, y;              /* of the ground's upper left corner, px from the top left */
     double scale;             /* lines are 12 of it apart, px */
     const unsigned char *ink; /* four bytes RGBA; NULL: white */
+    int ground;               /* how opaque it is, 1 to 255; 0: 160 */
 };
 
 /* Draws text with a dark ground behind it. */

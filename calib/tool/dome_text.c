@@ -203,7 +203,7 @@ static void to_dome(const struct cupola_rig *rig, const double v[3], double dome
 
 /* Level as the viewer sees it; straight up or down as if the head had been raised or lowered. */
 static bool find_plane(const struct cupola_rig *rig, const struct dome_label *label,
-                       const struct kept *kept, struct plane *plane)
+                       const double size[2], struct plane *plane)
 {
     const double zenith[3] = {0, 1, 0};
     double forward[3], right[3], up[3];
@@ -218,10 +218,10 @@ static bool find_plane(const struct cupola_rig *rig, const struct dome_label *la
     to_dome(rig, right, plane->axes);
     to_dome(rig, up, plane->axes + 3);
     to_dome(rig, forward, plane->axes + 6);
-    plane->size[0] = kept->width * label->unit_rad;
-    plane->size[1] = kept->height * label->unit_rad;
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
+        plane->size[i] = size[i] * label->unit_rad;
         plane->corner[i] = label->corner[i] * label->unit_rad;
+    }
     return true;
 }
 
@@ -315,11 +315,17 @@ static void draw_box(const struct dome_text *text, GLuint points, GLuint letters
 void dome_text_draw(struct dome_text *text, const struct cupola_rig *rig, int output,
                     unsigned int points, const struct dome_label *label)
 {
-    const struct kept *kept = *label->text ? find(text, label->text) : NULL;
+    const char *letters = label->text ? label->text : " ";
+    const struct kept *kept = *letters ? find(text, letters) : NULL;
     struct plane plane;
+    double size[2];
     int box[4];
 
-    if (!kept || !find_plane(rig, label, kept, &plane) || !find_box(rig, output, &plane, box))
+    if (!kept)
+        return;
+    size[0] = label->text ? kept->width : label->size[0];
+    size[1] = label->text ? kept->height : label->size[1];
+    if (!find_plane(rig, label, size, &plane) || !find_box(rig, output, &plane, box))
         return;
     glUseProgram(text->program);
     set_uniforms(text->program, rig, &plane, label);

@@ -13,10 +13,11 @@
 enum { DOME_LABEL_TEXT = 2000 /* bytes */ };
 
 struct dome_label {
-    const char *text;
+    const char *text;    /* NULL: ground alone, `size` large */
     double direction[3]; /* host's camera frame, from the eye, any length above 0 */
     double unit_rad;     /* of the letters: capitals are 7 high, lines 12 apart */
     double corner[2];    /* of the text's lower left, from the direction, in such units */
+    double size[2];      /* of ground without text, in such units */
     float ink[3];        /* linear light */
     float ground;        /* 0 to 1: how much of what is behind it is kept away */
 };

@@ -10,7 +10,14 @@
 
 static const double RADIANS = 3.14159265358979323846 / 180;
 
-enum { GAP = 6 /* between columns on the dome, units of the letters */ };
+enum {
+    GAP = 6,    /* between columns on the dome, units of the letters */
+    MARGIN = 4, /* of the ground round them, likewise */
+    GROUND = 230,
+};
+
+/* The same for the eye, in light: of white that lies under it no more is left than of 0.9 in code. */
+static const float ground_light = 0.99f;
 
 static const struct {
     unsigned char ink[4];
@@ -41,22 +48,30 @@ static double measure_columns(const struct panel *panel, double widths[PANEL_COL
     return sum;
 }
 
-/* Columns side by side, level with each other. */
-static void draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,
-                         unsigned int points, double raised_deg, enum panel_place place)
+/* Columns side by side, level with each other. Returns how far up they reach. */
+static double draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,
+                           unsigned int points, double pitch_deg, enum panel_place place)
 {
-    double pitch = (looks[place].pitch_deg + raised_deg) * RADIANS, widths[PANEL_COLUMNS], height,
-           own, sum, x;
-    struct dome_label label = {.direction = {0, sin(pitch), -cos(pitch)}, .ground = 0.8f};
+    double pitch = pitch_deg * RADIANS, widths[PANEL_COLUMNS], height, own, sum, x;
+    struct dome_label label = {.direction = {0, sin(pitch), -cos(pitch)}, .ground = ground_light};
     struct panel panel;
 
     panel_write(tool, place, 44, &panel);
+    if (panel.columns == 0)
+        return pitch_deg;
     sum = measure_columns(&panel, widths, &height);
     memcpy(label.ink, looks[place].light, sizeof label.ink);
     label.unit_rad = fmin(1.4 * dome_pixel_rad(dome, tool->output, label.direction),
                           looks[place].widest_rad / fmax(sum, 1));
     label.unit_rad = fmin(label.unit_rad, looks[place].highest_rad / fmax(height, 1));
     x = -0.5 * sum;
+    /* One ground for them all, over labels of the pattern. */
+    label.corner[0] = x - MARGIN;
+    label.corner[1] = -height * looks[place].hangs - MARGIN;
+    label.size[0] = sum + 2 * MARGIN;
+    label.size[1] = height + 2 * MARGIN;
+    dome_text_draw(text, cupola_dome_rig(dome), tool->output, points, &label);
+    label.ground = 0;
     for (int i = 0; i < panel.columns; i++) {
         dome_text_size(panel.text[i], &widths[i], &own);
         label.text = panel.text[i];
@@ -65,6 +80,8 @@ static void draw_on_dome(struct dome_text *text, const struct tool *tool, const 
         dome_text_draw(text, cupola_dome_rig(dome), tool->output, points, &label);
         x += widths[i] + GAP;
     }
+    return pitch_deg +
+           atan((height * (1 - looks[place].hangs) + MARGIN) * label.unit_rad) / RADIANS;
 }
 
 static bool is_lit(const cupola_dome *dome, int output, double yaw_deg, double pitch_deg)
@@ -97,11 +114,19 @@ void panels_draw_on_dome(struct dome_text *text, const struct tool *tool, const 
 {
     /* The help needs all the room there is. */
     double low_deg = -40, high_deg = tool->shows_help ? 35 : 18;
-    double raised_deg = find_raised_deg(dome, tool->output, low_deg, high_deg);
+    double raised_deg = find_raised_deg(dome, tool->output, low_deg, high_deg), top_deg;
 
-    for (int place = 0; place < PANELS; place++)
-        if (!tool->shows_help || place == PANEL_HELP)
-            draw_on_dome(text, tool, dome, points, raised_deg, (enum panel_place)place);
+    if (tool->shows_help) {
+        draw_on_dome(text, tool, dome, points, raised_deg + looks[PANEL_HELP].pitch_deg,
+                     PANEL_HELP);
+        return;
+    }
+    draw_on_dome(text, tool, dome, points, raised_deg + looks[PANEL_LEGEND].pitch_deg,
+                 PANEL_LEGEND);
+    top_deg = draw_on_dome(text, tool, dome, points, raised_deg + looks[PANEL_NOTICE].pitch_deg,
+                           PANEL_NOTICE);
+    draw_on_dome(text, tool, dome, points,
+                 fmax(raised_deg + looks[PANEL_WARNING].pitch_deg, top_deg + 1.5), PANEL_WARNING);
 }
 
 /* The largest letters, in halves, with which a panel fits. */
@@ -132,6 +157,7 @@ static void draw(struct overlay *overlay, const struct tool *tool, enum panel_pl
     panel_write(tool, what, place.width / (place.width >= 900 ? 16 : 8) - 2, &panel);
     place.scale = fitting_scale(&panel, place.width - 8, place.height - 8 - footer);
     place.ink = looks[what].ink;
+    place.ground = GROUND;
     for (int i = 0; i < panel.columns; i++) {
         overlay_size(panel.text[i], place.scale, &widths[i], &up);
         most = fmax(most, up);

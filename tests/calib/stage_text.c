@@ -222,12 +222,95 @@ static void the_legend_is_where_the_dome_is(void **state)
     stage_fixture_release(&fixture);
 }
 
+static int difference(const unsigned char *a, const unsigned char *b, int pixel)
+{
+    int most = 0;
+
+    for (int i = 0; i < 3; i++) {
+        int apart = abs(a[4 * pixel + i] - b[4 * pixel + i]);
+        most = apart > most ? apart : most;
+    }
+    return most;
+}
+
+/* Two images between the outermost letters of each column: letters are what a panel makes bright. */
+static int most_between_letters(const unsigned char *letters, const unsigned char *without,
+                                const unsigned char *a, const unsigned char *b, int width,
+                                int height)
+{
+    int most = 0;
+
+    for (int x = 0; x < width; x++) {
+        int first = height, last = -1;
+        for (int y = 0; y < height; y++)
+            if (difference(letters, without, y * width + x) > 150) {
+                first = y < first ? y : first;
+                last = y;
+            }
+        for (int y = first; y <= last; y++) {
+            int apart = difference(a, b, y * width + x);
+            most = apart > most ? apart : most;
+        }
+    }
+    return most;
+}
+
+/* The legend over a dark pattern and over a bright one: under it they make no difference. */
+static void check_nothing_shines_through(struct stage_fixture *fixture, bool on_dome)
+{
+    unsigned char *images[4]; /* dark and not, with the legend and without */
+    int width = on_dome ? 480 : 640, height = on_dome ? 800 : 480;
+
+    fixture->tool.text_on_dome = on_dome;
+    for (int i = 0; i < 4; i++) {
+        fixture->tool.shows_legend = i < 2;
+        fixture->tool.shows_labels = true;
+        /* Plain, the legend tells the pattern: there it is a dot that is larger or not. */
+        fixture->tool.pattern = on_dome && i % 2 ? PATTERN_MERIDIANS : PATTERN_DOT;
+        fixture->tool.dot_size_rad = (!on_dome && i % 2 ? 170 : 1) * RADIANS;
+        images[i] =
+            on_dome ? stage_fixture_image(fixture) : stage_fixture_frame(fixture, width, height);
+    }
+    check_at_most(most_between_letters(images[0], images[2], images[0], images[1], width, height),
+                  40);
+    check_at_least(most_between_letters(images[0], images[2], images[2], images[3], width, height),
+                   150);
+    for (int i = 0; i < 4; i++)
+        free(images[i]);
+}
+
+static void nothing_shines_through_a_panel(void **state)
+{
+    struct cupola_rig rig = {.eye_m = {0, 0.05, 0.25}};
+    struct stage_fixture fixture;
+
+    (void)state;
+    rig.outputs[0].width_px = 480;
+    rig.outputs[0].height_px = 800;
+    rig.outputs[0].position_m[1] = -0.3;
+    rig.outputs[0].aim.pitch_rad = 15 * RADIANS;
+    assert_int_equal(cupola_rig_complete(&rig, &rig, NULL), CUPOLA_OK);
+    stage_fixture_make(&fixture, &rig);
+    fixture.tool.group = GROUP_AIM;
+    fixture.tool.dot_yaw_rad = 60 * RADIANS; /* out of the way */
+    check_nothing_shines_through(&fixture, true);
+    stage_fixture_release(&fixture);
+    /* Nearly all of the image is within the circle, and under the plain legend, too. */
+    rig.outputs[0].width_px = 640;
+    rig.outputs[0].height_px = 480;
+    rig.outputs[0].circle = (struct cupola_circle){320, 240, 400};
+    stage_fixture_make(&fixture, &rig);
+    check_nothing_shines_through(&fixture, false);
+    stage_fixture_release(&fixture);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(labels_are_upright_at_their_direction),
         cmocka_unit_test(warnings_are_red_plain_and_on_the_dome),
         cmocka_unit_test(the_legend_is_where_the_dome_is),
+        cmocka_unit_test(nothing_shines_through_a_panel),
     };
 
     return cmocka_run_group_tests_name("calib-stage_text", tests, stage_context_open,
