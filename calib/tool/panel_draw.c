@@ -16,7 +16,7 @@ enum {
     GROUND = 230,
 };
 
-/* The same for the eye, in light: of white that lies under it no more is left than of 0.9 in code. */
+/* The same for the eye, in light: as little is left of white that lies under it. */
 static const float ground_light = 0.99f;
 
 static const struct {
@@ -147,8 +147,9 @@ static double fitting_scale(const struct panel *panel, double width, double heig
     return scale;
 }
 
-static void draw(struct overlay *overlay, const struct tool *tool, enum panel_place what,
-                 struct overlay_place place)
+/* `raised` above the bottom, if it stands there. Returns how high it is, px. */
+static double draw(struct overlay *overlay, const struct tool *tool, enum panel_place what,
+                   struct overlay_place place, double raised)
 {
     double widths[PANEL_COLUMNS], most = 0, sum = 0, up;
     const double footer = what == PANEL_HELP ? 90 : 0; /* messages stand there */
@@ -164,13 +165,12 @@ static void draw(struct overlay *overlay, const struct tool *tool, enum panel_pl
         sum += widths[i];
     }
     place.x = what == PANEL_LEGEND ? 4 : fmax(4, (place.width - sum) / 2);
-    place.y = what == PANEL_LEGEND || what == PANEL_HELP ? 4 : place.height - most - 4;
-    if (what == PANEL_WARNING && *tool->notice)
-        place.y -= 22 * place.scale; /* above the notice */
+    place.y = what == PANEL_LEGEND || what == PANEL_HELP ? 4 : place.height - most - raised - 4;
     for (int i = 0; i < panel.columns; i++) {
         overlay_text(overlay, &place, panel.text[i]);
         place.x += widths[i];
     }
+    return most;
 }
 
 void panels_draw(struct overlay *overlay, const struct tool *tool, unsigned int framebuffer,
@@ -179,7 +179,9 @@ void panels_draw(struct overlay *overlay, const struct tool *tool, unsigned int 
     const struct overlay_place place = {
         .framebuffer = framebuffer, .width = width, .height = height};
 
-    for (int what = 0; what < PANELS; what++)
-        if (what != PANEL_LEGEND || !tool->shows_help)
-            draw(overlay, tool, (enum panel_place)what, place);
+    double notice;
+
+    draw(overlay, tool, tool->shows_help ? PANEL_HELP : PANEL_LEGEND, place, 0);
+    notice = draw(overlay, tool, PANEL_NOTICE, place, 0);
+    draw(overlay, tool, PANEL_WARNING, place, notice > 0 ? notice + 2 : 0);
 }

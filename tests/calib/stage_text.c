@@ -233,7 +233,7 @@ static int difference(const unsigned char *a, const unsigned char *b, int pixel)
     return most;
 }
 
-/* Two images between the outermost letters of each column: letters are what a panel makes bright. */
+/* Two images between the outermost letters, what a panel makes bright, of each column. */
 static int most_between_letters(const unsigned char *letters, const unsigned char *without,
                                 const unsigned char *a, const unsigned char *b, int width,
                                 int height)
@@ -279,6 +279,35 @@ static void check_nothing_shines_through(struct stage_fixture *fixture, bool on_
         free(images[i]);
 }
 
+/* As much of a warning is seen above a long notice as without one. */
+static void a_warning_stands_above_a_notice(void **state)
+{
+    struct cupola_rig rig = {0};
+    struct stage_fixture fixture;
+    int red[2];
+
+    (void)state;
+    assert_int_equal(cupola_rig_complete(&rig, &rig, NULL), CUPOLA_OK);
+    stage_fixture_make(&fixture, &rig);
+    fixture.tool.pattern = PATTERN_DOT;
+    strcpy(fixture.tool.warning, "cap: 400 degrees are not allowed; allowed: up to 180");
+    for (int on_dome = 0; on_dome < 2; on_dome++) {
+        fixture.tool.text_on_dome = on_dome != 0;
+        for (int noticed = 0; noticed < 2; noticed++) {
+            unsigned char *frame;
+            memset(fixture.tool.notice, 0, sizeof fixture.tool.notice);
+            for (int i = 0; noticed && i < 20; i++)
+                strcat(fixture.tool.notice, "some words ");
+            frame = stage_fixture_frame(&fixture, 640, 640);
+            red[noticed] = count_red(frame, 640 * 640);
+            free(frame);
+        }
+        check_at_least(red[0], 200);
+        check_near(red[1], red[0], on_dome ? 0.2 * red[0] : 0);
+    }
+    stage_fixture_release(&fixture);
+}
+
 static void nothing_shines_through_a_panel(void **state)
 {
     struct cupola_rig rig = {.eye_m = {0, 0.05, 0.25}};
@@ -310,6 +339,7 @@ int main(void)
         cmocka_unit_test(labels_are_upright_at_their_direction),
         cmocka_unit_test(warnings_are_red_plain_and_on_the_dome),
         cmocka_unit_test(the_legend_is_where_the_dome_is),
+        cmocka_unit_test(a_warning_stands_above_a_notice),
         cmocka_unit_test(nothing_shines_through_a_panel),
     };
 
