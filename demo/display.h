@@ -9,7 +9,8 @@
 
 #include "option_values.h"
 
-/* Begins with GLFW. False with one line in `message`, MESSAGE_SIZE bytes; nothing is then to end. */
+/* Begins with GLFW. False with one line in `message`, MESSAGE_SIZE bytes; nothing is then to end.
+ */
 bool display_open(char *message);
 
 /* A monitor by its index, 0 the primary one; NULL beyond. */

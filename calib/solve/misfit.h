@@ -12,7 +12,8 @@ struct misfit {
 
 /*
  * At a solution: what else, set free, or which other lens model would explain the residuals of the
- * marks that are not rejected far better than chance does, and make them clearly smaller. False: nothing, or without memory.
+ * marks that are not rejected far better than chance does, and make them clearly smaller. False:
+ * nothing, or without memory.
  */
 bool misfit_find(const struct solve_request *request, const struct model *solved,
                  const bool *rejected, struct misfit *misfit);

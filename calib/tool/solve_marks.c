@@ -32,6 +32,16 @@ static void say_rejected(const struct marks *marks, const struct solve_result *r
     }
 }
 
+/* What the solver noted, as far as there is room: a lens of another model, few marks, and so on. */
+static void say_notes(const struct solve_result *result, char *notice)
+{
+    for (int i = 0; i < result->warning_count; i++) {
+        size_t used = strlen(notice);
+        if (used + strlen(result->warnings[i]) + 8 < MESSAGE_SIZE)
+            snprintf(notice + used, MESSAGE_SIZE - used, "; note: %s", result->warnings[i]);
+    }
+}
+
 /* Takes the solved rig over. It differs from the present one in values that the tool has. */
 static void take_over(struct tool *tool, const struct marks *marks,
                       const struct solve_result *result)
@@ -48,6 +58,7 @@ static void take_over(struct tool *tool, const struct marks *marks,
     snprintf(message, sizeof message, "solved from %d marks: residual %.2f px, worst %.2f px",
              marks->count - result->rejected, result->rms_px, result->worst_px);
     say_rejected(marks, result, message);
+    say_notes(result, message);
     tool_commit(tool, &before, -1, NULL, -1);
     memcpy(tool->notice, message, sizeof message);
 }

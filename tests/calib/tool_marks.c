@@ -254,6 +254,8 @@ static void solving_is_one_step_that_names_wrong_marks(void **state)
     assert_string_equal(tool.warning, "");
     assert_non_null(strstr(tool.notice, "19 marks"));
     assert_non_null(strstr(tool.notice, tool.marks.list[19].name));
+    /* What the solver notes is said, too: of marks without any noise, that there is none. */
+    assert_non_null(strstr(tool.notice, "note: the residuals are 0"));
     for (int axis = 0; axis < 3; axis++)
         check_near(tool.rig.outputs[0].position_m[axis], truth.outputs[0].position_m[axis], 1e-6);
     check_near(tool.rig.outputs[0].aim.pitch_rad, 0.05, 1e-6);
