@@ -39,70 +39,36 @@ bool window_change(struct window *window, const struct show_setup *setup)
     return true;
 }
 
-static bool choose_monitor(const struct options *options, GLFWmonitor **monitor, char *message)
+/* The output's size, smaller where the monitor is. */
+static void choose_size(const struct cupola_output *output, struct display_place *place)
 {
-    int count = 0;
-    GLFWmonitor **monitors = glfwGetMonitors(&count);
-    int index = options->monitor >= 0 ? options->monitor : 0;
-
-    *monitor = NULL;
-    if (options->monitor < 0 && !options->fullscreen)
-        return true;
-    if (index >= count) {
-        if (count == 0)
-            snprintf(message, MESSAGE_SIZE, "--fullscreen, --monitor: this display has no monitor");
-        else
-            snprintf(message, MESSAGE_SIZE, "--monitor: %d is not allowed; allowed: 0 to %d", index,
-                     count - 1);
-        return false;
-    }
-    *monitor = monitors[index];
-    return true;
-}
-
-/* The output's size, smaller where the screen is; all of the screen if asked for. */
-static void choose_size(const struct options *options, const struct cupola_output *output,
-                        GLFWmonitor *monitor, int *width, int *height)
-{
-    GLFWmonitor *screen = monitor ? monitor : glfwGetPrimaryMonitor();
+    GLFWmonitor *screen = place->monitor ? place->monitor : glfwGetPrimaryMonitor();
     const GLFWvidmode *mode = screen ? glfwGetVideoMode(screen) : NULL;
+    int width = output->width_px, height = output->height_px;
     double scale = 1;
 
-    *width = output->width_px;
-    *height = output->height_px;
-    if (!mode)
-        return;
-    if (options->fullscreen) {
-        *width = mode->width;
-        *height = mode->height;
-        return;
-    }
-    if (*width > mode->width)
-        scale = (double)mode->width / *width;
-    if (*height * scale > mode->height)
-        scale = (double)mode->height / *height;
-    *width = *width * scale < 1 ? 1 : (int)(*width * scale);
-    *height = *height * scale < 1 ? 1 : (int)(*height * scale);
+    if (mode && width > mode->width)
+        scale = (double)mode->width / width;
+    if (mode && height * scale > mode->height)
+        scale = (double)mode->height / height;
+    place->width = width * scale < 1 ? 1 : (int)(width * scale);
+    place->height = height * scale < 1 ? 1 : (int)(height * scale);
 }
 
 static bool open_window(struct window *window, const struct options *options, char *message)
 {
-    GLFWmonitor *monitor;
-    int width, height, x, y;
+    struct display_place *place = &window->place;
 
-    if (!choose_monitor(options, &monitor, message))
-        return false;
-    choose_size(options, &window->setup.rig.outputs[window->setup.output], monitor, &width,
-                &height);
-    window->handle =
-        display_window("cupola-demo", width, height, options->fullscreen ? monitor : NULL, message);
+    place->fills = options->fullscreen;
+    if (options->monitor >= 0 || options->fullscreen) {
+        place->monitor = display_monitor(options->monitor >= 0 ? options->monitor : 0, message);
+        if (!place->monitor)
+            return false;
+    }
+    choose_size(&window->setup.rig.outputs[window->setup.output], place);
+    window->handle = display_window("cupola-demo", place, message);
     if (!window->handle)
         return false;
-    if (monitor && !options->fullscreen) {
-        glfwGetMonitorPos(monitor, &x, &y);
-        glfwSetWindowPos(window->handle, x, y);
-    }
-    memcpy(window->windowed, (int[]){0, 0, width, height}, sizeof window->windowed);
     glfwSwapInterval(options->swap_interval >= 0 ? options->swap_interval : 1);
     glfwSetWindowUserPointer(window->handle, window);
     glfwGetFramebufferSize(window->handle, &window->width, &window->height);

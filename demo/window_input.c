@@ -110,7 +110,7 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
         eye_path_move(&window->eye, NULL);
         break;
     case GLFW_KEY_F:
-        display_toggle_fullscreen(window->handle, glfwGetPrimaryMonitor(), window->windowed, NULL);
+        display_toggle_fullscreen(window->handle, &window->place);
         break;
     case GLFW_KEY_ESCAPE:
         glfwSetWindowShouldClose(handle, GLFW_TRUE);

@@ -2,9 +2,7 @@
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+#include "display.h"
 #include "eye_path.h"
 #include "grid.h"
 #include "overlay.h"
@@ -42,7 +40,7 @@ struct window {
     double moved_ms;  /* when the camera was moved last */
     double start_ms;  /* of the first frame */
     double frame_ms;  /* between frames, smoothed */
-    int windowed[4];  /* place and size before it filled the screen */
+    struct display_place place;
 };
 
 /* Sets the callbacks for keys and mouse. The handle's user pointer must be the window. */

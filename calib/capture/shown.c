@@ -35,25 +35,19 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
         shown->wish = SHOWN_END;
 }
 
-static bool choose_monitor(const struct shown *shown, int index, bool window, GLFWmonitor **monitor,
+static bool choose_monitor(const struct shown *shown, int index, struct display_place *place,
                            char *message)
 {
-    int count = 0;
-    GLFWmonitor **monitors = glfwGetMonitors(&count);
     const GLFWvidmode *mode;
 
-    *monitor = NULL;
-    if (window && index < 0)
+    if (!place->fills && index < 0)
         return true;
     index = index < 0 ? 0 : index;
-    if (index >= count) {
-        snprintf(message, MESSAGE_SIZE, "--monitor: %d is not allowed; this display has %d", index,
-                 count);
+    place->monitor = display_monitor(index, message);
+    if (!place->monitor)
         return false;
-    }
-    *monitor = monitors[index];
-    mode = glfwGetVideoMode(*monitor);
-    if (window || (mode && mode->width == shown->width && mode->height == shown->height))
+    mode = glfwGetVideoMode(place->monitor);
+    if (!place->fills || (mode && mode->width == shown->width && mode->height == shown->height))
         return true;
     snprintf(message, MESSAGE_SIZE,
              "--monitor: monitor %d shows %d x %d px, and the patterns are of %d x %d; allowed: "
@@ -64,15 +58,13 @@ static bool choose_monitor(const struct shown *shown, int index, bool window, GL
 
 static bool open_window(struct shown *shown, int index, bool window, char *message)
 {
-    GLFWmonitor *monitor;
+    struct display_place place = {.fills = !window, .width = shown->width, .height = shown->height};
     int width, height;
 
-    if (!choose_monitor(shown, index, window, &monitor, message))
+    if (!choose_monitor(shown, index, &place, message))
         return false;
     glfwWindowHint(GLFW_RESIZABLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
-    shown->handle = display_window("cupola-calib capture", shown->width, shown->height,
-                                   window ? NULL : monitor, message);
+    shown->handle = display_window("cupola-calib capture", &place, message);
     if (!shown->handle)
         return false;
     glfwSwapInterval(1);

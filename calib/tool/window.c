@@ -17,20 +17,19 @@ struct window {
     struct tool shown; /* as it was when the last frame was drawn */
     struct stage *stage;
     int width, height; /* of the framebuffer, px */
-    int windowed[4];   /* place and size before it filled the monitor */
-    int monitor;
+    struct display_place place;
     bool dirty; /* to be drawn anew whatever the tool says */
 };
 
 static void toggle_fullscreen(struct window *window)
 {
-    const GLFWvidmode *filled;
+    const GLFWvidmode *mode;
 
-    display_toggle_fullscreen(window->handle, display_monitor(window->monitor), window->windowed,
-                              &filled);
+    display_toggle_fullscreen(window->handle, &window->place);
+    mode = window->place.fills ? glfwGetVideoMode(window->place.monitor) : NULL;
     /* What fills the projector's monitor has its size. */
-    if (filled)
-        tool_resize(window->tool, filled->width, filled->height);
+    if (mode)
+        tool_resize(window->tool, mode->width, mode->height);
     window->dirty = true;
 }
 
@@ -108,53 +107,24 @@ static void listen(struct window *window)
     glfwSetWindowRefreshCallback(window->handle, on_refresh);
 }
 
-static bool choose_monitor(const struct window_wishes *wishes, GLFWmonitor **monitor, char *message)
-{
-    int count = 0;
-
-    glfwGetMonitors(&count);
-    *monitor = display_monitor(wishes->monitor);
-    if (*monitor || (wishes->width > 0 && wishes->monitor == 0))
-        return true;
-    if (count == 0)
-        snprintf(message, MESSAGE_SIZE,
-                 "this display has no monitor to fill; --windowed opens a "
-                 "window");
-    else
-        snprintf(message, MESSAGE_SIZE, "--monitor: %d is not allowed; allowed: 0 to %d",
-                 wishes->monitor, count - 1);
-    return false;
-}
-
 static bool open_window(struct window *window, const struct window_wishes *wishes, char *message)
 {
-    GLFWmonitor *monitor;
-    const GLFWvidmode *mode;
-    bool fills = wishes->width < 1;
-    int width = wishes->width, height = wishes->height, x, y;
+    struct display_place *place = &window->place;
 
-    if (!choose_monitor(wishes, &monitor, message))
+    *place = (struct display_place){.monitor = display_monitor(wishes->monitor, message),
+                                    .fills = wishes->width < 1,
+                                    .width = wishes->width,
+                                    .height = wishes->height};
+    /* Where there is no monitor at all, a window can still be. */
+    if (!place->monitor && (place->fills || wishes->monitor > 0))
         return false;
-    mode = monitor ? glfwGetVideoMode(monitor) : NULL;
-    if (fills && mode) {
-        width = mode->width;
-        height = mode->height;
-    }
-    /* The picture stays on the dome while another screen is worked with. */
-    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
-    window->handle = display_window("cupola-calib", width, height, fills ? monitor : NULL, message);
+    window->handle = display_window("cupola-calib", place, message);
     if (!window->handle)
         return false;
-    if (monitor && !fills) {
-        glfwGetMonitorPos(monitor, &x, &y);
-        glfwSetWindowPos(window->handle, x, y);
-    }
-    window->monitor = wishes->monitor;
-    memcpy(window->windowed, (int[]){0, 0, width, height}, sizeof window->windowed);
     glfwSwapInterval(wishes->swap_interval);
     glfwGetFramebufferSize(window->handle, &window->width, &window->height);
     /* What fills the projector's monitor has its size. */
-    if (fills)
+    if (place->fills)
         tool_resize(window->tool, window->width, window->height);
     listen(window);
     return true;

@@ -86,9 +86,9 @@ def next_picture():
         time.sleep(0.4)
         return set(glob.glob("*.png")) - there
 
-    wait_for("a picture", found)
+    name = min(wait_for("a picture", found))
     time.sleep(0.5)
-    return sorted(glob.glob("*.png"))[-1]
+    return name
 
 
 def drive(tool):
