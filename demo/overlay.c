@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <cupola/text.h>
 #include <epoxy/gl.h>
 #include <stb_easy_font.h>
 
@@ -83,20 +84,11 @@ void overlay_destroy(struct overlay *overlay)
     free(overlay);
 }
 
-/* What the font does not know, such as half of a file's name in another script, becomes '?'. */
-static void copy_text(char copy[TEXT_MAX], const char *text)
-{
-    snprintf(copy, TEXT_MAX, "%s", text);
-    for (char *at = copy; *at; at++)
-        if (*at != '\n' && (*at < ' ' || *at > '~'))
-            *at = '?';
-}
-
 void overlay_size(const char *text, double scale, double *width, double *height)
 {
     char copy[TEXT_MAX];
 
-    copy_text(copy, text);
+    cupola_text_letters(text, copy, sizeof copy);
     *width = scale * (stb_easy_font_width(copy) + 2 * MARGIN);
     *height = scale * (stb_easy_font_height(copy) + 2 * MARGIN);
 }
@@ -123,7 +115,7 @@ void overlay_text(struct overlay *overlay, const struct overlay_place *place, co
 
     if (place->ink)
         memcpy(ink, place->ink, sizeof ink);
-    copy_text(copy, text);
+    cupola_text_letters(text, copy, sizeof copy);
     overlay_size(copy, 1, &ground_width, &ground_height);
     write_ground(overlay, ground_width, ground_height, place->ground);
     quads = 1 + stb_easy_font_print(MARGIN, MARGIN, copy, ink, overlay->quads + 4 * VERTEX_BYTES,

@@ -49,13 +49,18 @@ static int prepare(const struct cupola_output *output, struct projector *project
 static int project(const struct projector *projector, const double point_m[3], double pixel_px[2],
                    struct cupola_error *error)
 {
-    double ray[3], v[3];
-    for (int i = 0; i < 3; i++)
+    double ray[3], v[3], size = 0;
+    for (int i = 0; i < 3; i++) {
         ray[i] = point_m[i] - projector->position_m[i];
-    if (!(length3(ray) > 0) || !isfinite(length3(ray)))
+        size = isfinite(ray[i]) ? fmax(size, fabs(ray[i])) : HUGE_VAL;
+    }
+    if (!(size > 0) || !isfinite(size))
         return error_set(error, CUPOLA_ERROR_ARGUMENT,
                          "point is (%g, %g, %g); allowed: finite, and not where the lens is",
                          point_m[0], point_m[1], point_m[2]);
+    /* Points may be so far or near that their squares are no numbers any more. */
+    for (int i = 0; i < 3; i++)
+        ray[i] /= size;
     transform3_back(projector->aim, ray, v);
     double across = hypot(v[0], v[1]);
     double r = radius_beyond(&projector->lens, atan2(across, -v[2]));

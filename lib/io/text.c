@@ -32,6 +32,13 @@ struct corner {
 
 _Static_assert(sizeof(struct corner) == 16, "as stb_easy_font writes it");
 
+/* U+00C0 to U+017F of Unicode without what stands above and below them. */
+enum { LATIN_BEGIN = 0xc0, LATIN_END = 0x180 };
+static const char latin[LATIN_END - LATIN_BEGIN + 1] =
+    "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYPsaaaaaaaceeeeiiiidnooooo/ouuuuypy"
+    "AaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlL"
+    "lLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
+
 /* How many bytes follow the first one of a character in UTF-8. */
 static int following(unsigned char first)
 {
@@ -40,15 +47,57 @@ static int following(unsigned char first)
     return first < 0xe0 ? 1 : (first < 0xf0 ? 2 : 3);
 }
 
+/* The number of the next character in Unicode, -1 for what is none; `text` goes on behind it. */
+static int next_character(const char **text)
+{
+    unsigned char first = (unsigned char)*(*text)++;
+    int left = following(first);
+    int number = left > 0 ? first & (0x3f >> left) : (first < 0x80 ? first : -1);
+
+    for (; left > 0 && ((unsigned char)**text >> 6) == 2; left--)
+        number = number << 6 | ((unsigned char)*(*text)++ & 0x3f);
+    return left > 0 ? -1 : number;
+}
+
+/* Accents that Unicode has as characters of their own, behind the letter. */
+static void skip_combining(const char **text)
+{
+    const char *next = *text;
+
+    while (*next) {
+        int number = next_character(&next);
+        if (number < 0x300 || number > 0x36f)
+            break;
+        *text = next;
+    }
+}
+
 /* What the next character is drawn as; `text` goes on behind it. */
 static char next_letter(const char **text)
 {
-    char c = *(*text)++;
+    int number = next_character(text);
 
-    for (int left = following((unsigned char)c); left > 0 && ((unsigned char)**text >> 6) == 2;
-         left--)
-        (*text)++;
-    return (c >= ' ' && c <= '~') || c == '\n' ? c : '?';
+    skip_combining(text);
+    if (number >= LATIN_BEGIN && number < LATIN_END)
+        return latin[number - LATIN_BEGIN];
+    return (number >= ' ' && number <= '~') || number == '\n' ? (char)number : '?';
+}
+
+int cupola_text_letters(const char *text, char *letters, size_t size)
+{
+    int unknown = 0;
+    size_t count = 0;
+
+    while (text && *text) {
+        bool asked = *text == '?';
+        char letter = next_letter(&text);
+        unknown += letter == '?' && !asked;
+        if (letters && count + 1 < size)
+            letters[count++] = letter;
+    }
+    if (letters && size > 0)
+        letters[count] = 0;
+    return unknown;
 }
 
 static int advance_of(char letter)

@@ -97,6 +97,21 @@ static void nonsense_is_refused_and_nothing_written(void **state)
     check_near(pixel[1], 8, 0);
 }
 
+static void far_and_near_points_are_points_like_others(void **state)
+{
+    (void)state;
+    struct cupola_output output = output_of(CUPOLA_LENS_EQUISOLID, 150);
+    double wanted[2], pixel[2];
+    int lit = cupola_output_pixel(&output, (double[3]){0.3, -0.4, -1}, wanted, NULL);
+    static const double sizes[] = {1e-300, 1e-170, 1e-9, 1e9, 1e200, 1e307};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        double point[3] = {0.3 * sizes[i], -0.4 * sizes[i], -sizes[i]};
+        assert_int_equal(cupola_output_pixel(&output, point, pixel, NULL), lit);
+        check_near(pixel[0], wanted[0], 1e-9);
+        check_near(pixel[1], wanted[1], 1e-9);
+    }
+}
+
 static void many_points_are_as_good_as_each_alone(void **state)
 {
     (void)state;
@@ -129,6 +144,7 @@ int main(void)
         cmocka_unit_test(the_image_radius_grows_beyond_the_rim_without_a_step),
         cmocka_unit_test(closed_forms_go_on_as_they_are),
         cmocka_unit_test(nonsense_is_refused_and_nothing_written),
+        cmocka_unit_test(far_and_near_points_are_points_like_others),
         cmocka_unit_test(many_points_are_as_good_as_each_alone),
     };
     return cmocka_run_group_tests_name("projection", tests, NULL, NULL);

@@ -84,7 +84,7 @@ static void a_character_of_many_bytes_is_one_question_mark(void **state)
 {
     (void)state;
     static const char *const pairs[][2] = {
-        {"\xc3\xa4", "?"},                          /* a umlaut */
+        {"\xce\xb1", "?"},                          /* alpha */
         {"N\xe2\x82\xacS", "N?S"},                  /* the euro */
         {"\xf0\x9f\x8c\x8d\xf0\x9f\x8c\x8d", "??"}, /* two globes */
         {"\xc3"
@@ -92,7 +92,7 @@ static void a_character_of_many_bytes_is_one_question_mark(void **state)
          "?A"}, /* cut short */
         {"\xe2\x82", "?"},
         {"\x80\xbf", "??"}, /* no beginning */
-        {"\xc3\xa4\xa4", "??"},
+        {"\xce\xb1\xb1", "??"},
         {"\xff\x80", "??"},
     };
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
@@ -105,6 +105,50 @@ static void a_character_of_many_bytes_is_one_question_mark(void **state)
         free(rgba[0]);
         free(rgba[1]);
     }
+}
+
+static void latin_letters_lose_their_accents(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *letters;
+        int unknown;
+    } cases[] = {
+        {"\xc3\x80\xc3\xbf\xc4\x80\xc5\xbf", "AyAs", 0}, /* the table's ends */
+        {"se\xc3\xb1"
+         "al \xc3\xa9l\xc3\xa8ve",
+         "senal eleve", 0},
+        {"\xc5\x81\xc3\xb3"
+         "d\xc5\xba \xc4\xb0zm",
+         "Lodz Izm", 0},
+        {"Stra\xc3\x9f"
+         "e \xc5\x98\xc3\xad"
+         "p",
+         "Strase Rip", 0},
+        {"e\xcc\x81t\xcc\xa3\xcc\x88?", "et?", 0}, /* combining ones, two on one letter */
+        {"\xcc\x81"
+         "e",
+         "?e", 1},                             /* on none */
+        {"\xe5\x8f\xb3 1\nb", "? 1\nb", 1},    /* right, in Japanese */
+        {"\xc6\x80\xc2\xbf\x7f\t", "????", 4}, /* what stands beside the table */
+        {"", "", 0},
+        {NULL, "", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char letters[32];
+        assert_int_equal(cupola_text_letters(cases[i].text, letters, sizeof letters),
+                         cases[i].unknown);
+        assert_string_equal(letters, cases[i].letters);
+    }
+    char cut[4] = "xyz";
+    assert_int_equal(cupola_text_letters("\xc3\x80"
+                                         "bcd\xe2\x82\xac",
+                                         cut, 3),
+                     1);
+    assert_memory_equal(cut, "Ab\0", 4);
+    assert_int_equal(cupola_text_letters("a", cut, 0), 0);
+    assert_int_equal(cupola_text_letters("\xe2\x82\xac", NULL, 3), 1);
+    assert_memory_equal(cut, "Ab\0", 4);
 }
 
 static void texels_are_white_or_clear(void **state)
@@ -247,6 +291,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(letters_are_upright_and_not_mirrored),
         cmocka_unit_test(capitals_are_in_the_middle),
+        cmocka_unit_test(latin_letters_lose_their_accents),
         cmocka_unit_test(a_character_of_many_bytes_is_one_question_mark),
         cmocka_unit_test(texels_are_white_or_clear),
         cmocka_unit_test(every_scale_is_the_same_picture),

@@ -5,6 +5,8 @@
 #ifndef CUPOLA_TEXT_H
 #define CUPOLA_TEXT_H
 
+#include <stddef.h>
+
 #include "error.h"
 
 #ifdef __cplusplus
@@ -12,10 +14,23 @@ extern "C" {
 #endif
 
 /*
+ * What a text is drawn as: printable ASCII and '\n'. Latin letters (U+00C0 to U+017F) lose their
+ * accents, and so do letters that are followed by combining ones (U+0300 to U+036F); each other
+ * character becomes '?', and so does each byte that is no part of a character.
+ *
+ * text     UTF-8; NULL: as an empty one
+ * letters  out, NULL or `size` bytes: the letters, ended by 0, as many as there is room for
+ * size     bytes, 0 to write nothing
+ * returns  how many characters of the whole text became '?' without being one
+ * thread   any
+ * since    0.1
+ */
+CUPOLA_API int cupola_text_letters(const char *text, char *letters, size_t size);
+
+/*
  * The size of a text's picture: cupola_text_draw.
  *
- * text     UTF-8; lines are ended by '\n'; each character outside of printable ASCII becomes '?',
- *          and so does each byte that is no part of a character
+ * text     UTF-8; lines are ended by '\n'; drawn as cupola_text_letters says
  * scale    texels per unit of the letters, 1 to 64: capitals are 7 units high, lines 12 apart; a
  *          picture of N lines is 12 N - 1 units high
  * width    out, texels
