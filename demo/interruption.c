@@ -6,19 +6,28 @@
 
 static volatile sig_atomic_t asked;
 
+/* For both of them, so that it does not matter which one comes next. */
+static void handle(void (*handler)(int))
+{
+    struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART};
+
+    sigemptyset(&action.sa_mask);
+    sigaddset(&action.sa_mask, SIGINT);
+    sigaddset(&action.sa_mask, SIGTERM);
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+}
+
 static void ask(int number)
 {
     (void)number;
     asked = 1;
+    handle(SIG_DFL);
 }
 
 void interruption_expect(void)
 {
-    struct sigaction action = {.sa_handler = ask, .sa_flags = SA_RESTART | SA_RESETHAND};
-
-    sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    handle(ask);
 }
 
 bool interruption_asked(void)

@@ -4,7 +4,10 @@
 
 #include <stdbool.h>
 
-/* From now on the first SIGINT or SIGTERM only asks for the end; the second one ends at once. */
+/*
+ * From now on the first SIGINT or SIGTERM only asks for the end; the next one, either of them, ends
+ * at once.
+ */
 void interruption_expect(void);
 
 /* Whether the end was asked for. */

@@ -33,12 +33,12 @@ static bool show_all(struct showing *showing, char *message)
     double wait_s = showing->options->every_s > 0 ? showing->options->every_s : -1;
     int number = 0, count = series_count(&showing->series);
 
-    while (number < count && !interruption_asked()) {
+    while (number < count) {
         enum shown_wish wish;
         if (!show_number(showing, number, message))
             return false;
         wish = shown_wait(showing->shown, wait_s);
-        if (wish == SHOWN_END || interruption_asked())
+        if (wish == SHOWN_END)
             break;
         if (wish == SHOWN_BACK)
             number -= number > 0;
@@ -60,7 +60,7 @@ static bool photograph(struct showing *showing, int number, char *message)
     if (!folder_path(options->folder, name, ".png", path, message) ||
         !show_number(showing, number, message))
         return false;
-    if (shown_wait(showing->shown, options->every_s) == SHOWN_END || interruption_asked()) {
+    if (shown_wait(showing->shown, options->every_s) == SHOWN_END) {
         snprintf(message, MESSAGE_SIZE, "ended after %d of %d photographs", number,
                  series_count(&showing->series));
         return false;

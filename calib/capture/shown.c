@@ -9,6 +9,7 @@
 
 #include "capture/light.h"
 #include "display.h"
+#include "interruption.h"
 
 struct shown {
     GLFWwindow *handle;
@@ -167,7 +168,7 @@ enum shown_wish shown_wait(struct shown *shown, double wait_s)
             glfwPollEvents();
         else
             glfwWaitEventsTimeout(wait_s < 0 || rest > 0.1 ? 0.1 : rest);
-        if (glfwWindowShouldClose(shown->handle))
+        if (glfwWindowShouldClose(shown->handle) || interruption_asked())
             shown->wish = SHOWN_END;
         if (shown->wish == SHOWN_STAY)
             present(shown); /* a window that was covered */

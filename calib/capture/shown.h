@@ -20,7 +20,10 @@ struct shown *shown_create(int width, int height, int monitor, bool window, char
 /* Shows a picture; it is on the screen when this returns. */
 void shown_picture(struct shown *shown, const struct photo *picture);
 
-/* Waits for `wait_s` seconds at most, below 0: for ever, until there is a wish. */
+/*
+ * Waits for `wait_s` seconds at most, below 0: for ever, until there is a wish. An interruption is
+ * the wish to end.
+ */
 enum shown_wish shown_wait(struct shown *shown, double wait_s);
 
 /* NULL is allowed. */

@@ -1,8 +1,10 @@
 """Shows patterns on a monitor: capture_show.py CUPOLA_CALIB, under an X server of 320x240."""
 import os
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 program = os.path.abspath(sys.argv[1])
 
@@ -12,6 +14,30 @@ def capture(*arguments, status=0):
                           timeout=60, check=False)
     assert done.returncode == status, (arguments, done.returncode, done.stderr)
     return done.stdout + done.stderr
+
+
+def expects_signals(process):
+    """Whether it handles SIGINT and SIGTERM by now."""
+    wanted = 1 << signal.SIGINT - 1 | 1 << signal.SIGTERM - 1
+    with open("/proc/%d/status" % process.pid, encoding="ascii") as file:
+        caught = [line.split()[1] for line in file if line.startswith("SigCgt:")]
+    return int(caught[0], 16) & wanted == wanted
+
+
+def interrupted(number, *arguments):
+    """What is said after a signal while a pattern stands."""
+    with subprocess.Popen([program, "capture", "show", "--patterns", "fits", *arguments],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as shows:
+        try:
+            while shows.poll() is None and not expects_signals(shows):
+                time.sleep(0.05)
+            time.sleep(0.5)  # the window opens; right either way
+            shows.send_signal(number)
+            said = shows.communicate(timeout=30)[0]
+        finally:
+            shows.kill()
+    assert shows.returncode == 0, (number, shows.returncode, said)
+    return said
 
 
 with tempfile.TemporaryDirectory() as folder:
@@ -25,6 +51,11 @@ with tempfile.TemporaryDirectory() as folder:
     said = capture("show", "--patterns", "fits", "--every", "0.01")
     assert said.startswith("32 of 32 patterns shown"), said
     capture("show", "--patterns", "fits", "--every", "0.01", "--window")
+
+    # Nobody presses a key, or the next pattern is far off: a signal ends either.
+    for number in signal.SIGINT, signal.SIGTERM:
+        assert interrupted(number).startswith("0 of 32 patterns shown")
+        assert interrupted(number, "--every", "600").startswith("0 of 32 patterns shown")
 
     # A monitor of another size, one that is not there, a camera that is not there.
     said = capture("show", "--patterns", "wider", status=1)
