@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include <cupola/projection.h>
+#include <cupola/text.h>
 
 #include "tool/state.h"
 
@@ -17,6 +18,12 @@ int marks_walk_next(const struct tool *tool, int mark)
             return next;
     }
     return mark < 0 ? 0 : mark;
+}
+
+void marks_walk_label(const struct tool *tool, int mark, char label[MARK_NAME_MAX + 1])
+{
+    if (cupola_text_letters(tool->marks.list[mark].name, label, MARK_NAME_MAX + 1) > 0)
+        snprintf(label, MARK_NAME_MAX + 1, "mark %d", mark + 1);
 }
 
 int marks_walk_steered(const struct tool *tool)
@@ -62,6 +69,7 @@ void marks_walk_accept(struct tool *tool)
 {
     struct values before;
     struct mark_state state = tool_mark_state(tool, tool->mark);
+    char label[MARK_NAME_MAX + 1], next[MARK_NAME_MAX + 1];
     int index = tool->mark, left;
     struct mark *mark;
 
@@ -74,20 +82,22 @@ void marks_walk_accept(struct tool *tool)
     left = tool->marks.count - marks_walk_steered(tool);
     marks_walk_to(tool, marks_walk_next(tool, index));
     tool_commit(tool, &before, index, &state, -1);
+    marks_walk_label(tool, index, label);
+    marks_walk_label(tool, tool->mark, next);
     if (left > 0)
         snprintf(tool->notice, MESSAGE_SIZE, "%s is at (%.1f, %.1f) px; next %s, %d of %d left",
-                 mark->name, mark->pixel_px[0], mark->pixel_px[1],
-                 tool->marks.list[tool->mark].name, left, tool->marks.count);
+                 label, mark->pixel_px[0], mark->pixel_px[1], next, left, tool->marks.count);
     else
         snprintf(tool->notice, MESSAGE_SIZE,
-                 "%s is at (%.1f, %.1f) px; all %d marks are steered to", mark->name,
-                 mark->pixel_px[0], mark->pixel_px[1], tool->marks.count);
+                 "%s is at (%.1f, %.1f) px; all %d marks are steered to", label, mark->pixel_px[0],
+                 mark->pixel_px[1], tool->marks.count);
 }
 
 void marks_walk_forget(struct tool *tool)
 {
     struct values before;
     struct mark_state state = tool_mark_state(tool, tool->mark);
+    char label[MARK_NAME_MAX + 1];
 
     if (refuse_without(tool))
         return;
@@ -96,5 +106,6 @@ void marks_walk_forget(struct tool *tool)
     tool->marks.list[tool->mark].pixel_px[0] = tool->marks.list[tool->mark].pixel_px[1] = 0;
     marks_walk_to(tool, tool->mark);
     tool_commit(tool, &before, tool->mark, &state, -1);
-    snprintf(tool->notice, MESSAGE_SIZE, "%s is forgotten", tool->marks.list[tool->mark].name);
+    marks_walk_label(tool, tool->mark, label);
+    snprintf(tool->notice, MESSAGE_SIZE, "%s is forgotten", label);
 }

@@ -13,6 +13,12 @@ void marks_walk_to(struct tool *tool, int mark);
 /* How many have a pixel. */
 int marks_walk_steered(const struct tool *tool);
 
+/*
+ * What a mark is called on the screen: its name as it is drawn, or its number in the file ("mark
+ * 3") where letters of it cannot be, so that no two names look alike as question marks.
+ */
+void marks_walk_label(const struct tool *tool, int mark, char label[MARK_NAME_MAX + 1]);
+
 /* The cross-hair is on the present mark: takes its pixel and goes on. And forgets it. */
 void marks_walk_accept(struct tool *tool);
 void marks_walk_forget(struct tool *tool);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "tool/marks_walk.h"
 #include "tool/tool.h"
 
 /* In which unit a value is shown, and with it how it is kept. */
@@ -241,14 +242,16 @@ void parameter_text(const struct tool *tool, enum parameter parameter, char *tex
     static const char *const flips[] = {"none", "x", "y", "x and y"};
     const struct parameter_info *info = &infos[parameter];
     double value = parameter_get(tool, parameter);
+    char mark[MARK_NAME_MAX + 1] = "";
 
+    if (parameter == PARAMETER_MARK && tool->marks.count > 0)
+        marks_walk_label(tool, tool->mark, mark);
     if (parameter == PARAMETER_LENS)
         snprintf(text, size, "%s", cupola_lens_model_name((int)value));
     else if (parameter == PARAMETER_FLIP)
         snprintf(text, size, "%s", flips[(int)value & 3]);
     else if (parameter == PARAMETER_MARK && tool->marks.count > 0)
-        snprintf(text, size, "%d of %d: %s", tool->mark + 1, tool->marks.count,
-                 tool->marks.list[tool->mark].name);
+        snprintf(text, size, "%d of %d: %s", tool->mark + 1, tool->marks.count, mark);
     else /* + 0 makes 0 of -0 */
         snprintf(text, size, "%.*f%s", info->digits,
                  (fabs(value) < parameter_tolerance(parameter) ? 0 : value) + 0.0,

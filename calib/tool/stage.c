@@ -15,6 +15,7 @@
 #include "overlay.h"
 #include "program.h"
 #include "tool/dome_text.h"
+#include "tool/marks_walk.h"
 #include "tool/panel_draw.h"
 #include "tool/pattern.h"
 #include "tool/pattern_labels.h"
@@ -149,13 +150,15 @@ static void draw_labels(struct stage *stage, const struct tool *tool)
 static void draw_cross_name(struct stage *stage, const struct tool *tool)
 {
     struct dome_label label = {.ink = {1, 0.75f, 0.1f}, .ground = 0.8f};
+    char name[MARK_NAME_MAX + 1];
     struct cupola_ray ray;
 
     if (tool->mark < 0 || tool->mark >= tool->marks.count ||
         cupola_dome_ray(stage->dome, tool->output, NULL, tool->cross_px[0], tool->cross_px[1],
                         &ray) < 0)
         return;
-    label.text = tool->marks.list[tool->mark].name;
+    marks_walk_label(tool, tool->mark, name);
+    label.text = name;
     label.unit_rad = pattern_label_unit_rad(stage->dome, tool->output, ray.direction);
     memcpy(label.direction, ray.direction, sizeof label.direction);
     dome_label_anchor(&label, 1, 1);
