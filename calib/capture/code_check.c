@@ -28,7 +28,7 @@ void code_check_begin_axis(struct code_check *check)
 bool code_check_pair(const struct code_check *check, const char *code, const char *inverse,
                      char *message)
 {
-    if (!(check->mismatch > most_mismatch * check->contrast))
+    if (check->mismatch <= most_mismatch * check->contrast)
         return true;
     snprintf(message, MESSAGE_SIZE,
              "%s and %s do not show stripes and their inverse: together they are off by %.0f %% of "
@@ -44,7 +44,7 @@ bool code_check_axis(struct code_check *check, int axis, char *message)
     double noise = sqrt(fmax(check->variance, 0) / fmax(check->contrast_square, 1e-30));
 
     check->noise[axis] = noise;
-    if (noise > most_noise) {
+    if (!(noise <= most_noise)) {
         snprintf(message, MESSAGE_SIZE,
                  "the sines of %c do not follow each other: what is left over is %.0f %% of the "
                  "contrast; allowed: up to %.0f %%; look at the order of these photographs and at "
@@ -52,7 +52,7 @@ bool code_check_axis(struct code_check *check, int axis, char *message)
                  axis ? 'y' : 'x', 100 * noise, 100 * most_noise);
         return false;
     }
-    if (!(check->off > most_disagreement * check->tested))
+    if (check->off <= most_disagreement * check->tested)
         return true;
     snprintf(message, MESSAGE_SIZE,
              "stripes and sines of %c disagree at %.0f %% of what is lit; allowed: up to %.0f %%; "

@@ -147,7 +147,7 @@ static bool add_bit(struct reading *reading, const struct photo *inverse, int nu
         reading->code[i] = reading->code[i] << 1 | (bit > 0);
         if (!(fabs(bit) >= faint_bit * contrast) && reading->faint[i] < 255)
             reading->faint[i]++;
-        if (!is_lit(reading->map, i))
+        if (!is_lit(reading->map, i) || !isfinite(both))
             continue;
         check->contrast += contrast;
         check->mismatch += fabs(both - expected);
@@ -180,6 +180,7 @@ static void add_to_check(struct code_check *check, double contrast, double varia
     check->off += clear && off > surely_off;
 }
 
+/* One that has had a place so far. */
 static void finish_pixel(struct reading *reading, int axis, size_t i)
 {
     const struct series *series = reading->settings->series;
@@ -193,8 +194,6 @@ static void finish_pixel(struct reading *reading, int axis, size_t i)
     double off, place = series_place(series, series_from_gray(reading->code[i]),
                                      atan2(reading->sums[3][i], reading->sums[2][i]), &off);
 
-    if (map->state[i] != CODE_DECODED)
-        return;
     add_to_check(&map->check, contrast, squares / (steps - 3),
                  reading->faint[i] <= 1 && amplitude >= weak_sine * 0.5 * contrast, off);
     if (reading->faint[i] > 1 || !(amplitude >= weak_sine * 0.5 * contrast) || !(off <= most_off) ||
@@ -207,6 +206,15 @@ static void finish_pixel(struct reading *reading, int axis, size_t i)
     reading->amplitude[axis][i] = (float)amplitude;
 }
 
+/* What a file holds no number for is not seen, and tells nothing of the others. */
+static void leave_out(struct code_map *map, const struct photo *photo)
+{
+    for (size_t i = 0; i < pixel_count(map); i++) {
+        if (map->state[i] == CODE_DECODED && !isfinite(photo->light[i]))
+            map->state[i] = CODE_UNSURE;
+    }
+}
+
 static bool add(struct reading *reading, int number, const struct photo *photo, char *message)
 {
     const struct series *series = reading->settings->series;
@@ -214,6 +222,7 @@ static bool add(struct reading *reading, int number, const struct photo *photo, 
 
     if (picture.kind == SERIES_BLACK)
         return begin(reading, message);
+    leave_out(reading->map, photo);
     if (picture.kind == SERIES_CODE && picture.index == 0)
         clear_axis(reading);
     if (picture.kind == SERIES_INVERSE)
@@ -221,8 +230,10 @@ static bool add(struct reading *reading, int number, const struct photo *photo, 
     if (picture.kind == SERIES_SINE)
         add_step(reading, photo, picture.index);
     if (picture.kind == SERIES_SINE && picture.index == series->steps - 1) {
-        for (size_t i = 0; i < pixel_count(reading->map); i++)
-            finish_pixel(reading, picture.axis, i);
+        for (size_t i = 0; i < pixel_count(reading->map); i++) {
+            if (reading->map->state[i] == CODE_DECODED)
+                finish_pixel(reading, picture.axis, i);
+        }
         return code_check_axis(&reading->map->check, picture.axis, message);
     }
     return true;

@@ -7,6 +7,7 @@
 #include <cupola/rig_file.h>
 
 #include "capture/code_check.h"
+#include "capture/code_map.h"
 #include "capture/folder.h"
 #include "capture/photo.h"
 #include "capture_fixture.h"
@@ -23,7 +24,10 @@ struct flaw {
     double ambient;
     struct series_picture taken, instead; /* where they differ: one photograph of another picture */
     bool black;                           /* and of nothing at all */
+    double hole;                          /* not 0: what one pixel is in all that are decoded */
 };
+
+static const double holes[] = {0, NAN, HUGE_VAL, -HUGE_VAL};
 
 static bool same_picture(const struct series_picture *a, const struct series_picture *b)
 {
@@ -35,6 +39,9 @@ static double photo_light(const struct series_picture *picture, int i, int j, vo
     static const struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
     const struct flaw *flaw = data;
 
+    if (flaw->hole != 0 && i == 30 && j == 24 && picture->kind != SERIES_WHITE &&
+        picture->kind != SERIES_BLACK)
+        return flaw->hole;
     if (same_picture(picture, &flaw->taken) && flaw->black)
         return flaw->ambient;
     if (flaw->black)
@@ -256,8 +263,38 @@ static void test_photographs_of_another_picture_are_said(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         wrong[i].flaw.lit = 0.7;
         wrong[i].flaw.ambient = 0.05;
-        capture_write_photos("odd", &series, 60, 48, photo_light, &wrong[i].flaw);
-        refuse(DECODE "--folder odd", FAILED, wrong[i].reason);
+        for (size_t k = 0; k < sizeof holes / sizeof *holes; k++) {
+            wrong[i].flaw.hole = holes[k];
+            capture_write_photos("odd", &series, 60, 48, photo_light, &wrong[i].flaw);
+            refuse(DECODE "--folder odd", FAILED, wrong[i].reason);
+        }
+    }
+}
+
+/* Neither are the others refused for it, nor has it a place itself. */
+static void test_a_pixel_that_is_no_number_is_left_out(void **state)
+{
+    struct series series = {.size_px = {64, 48}, .period_px = 8, .steps = 4};
+    struct flaw flaw = {.lit = 0.7};
+    struct folder_photos photos;
+    struct code_settings settings = {.series = &series, .least_contrast = 0.02};
+    struct code_map map;
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    for (size_t k = 0; k < sizeof holes / sizeof *holes; k++) {
+        flaw.hole = holes[k];
+        capture_write_photos("hole", &series, 60, 48, photo_light, &flaw);
+        assert_true(folder_list("hole", &photos, message));
+        settings.paths = photos.paths;
+        if (!code_map_read(&settings, &map, message))
+            fail_msg("%s", message);
+        assert_int_equal(map.counts[CODE_UNSURE], holes[k] != 0);
+        assert_int_equal(map.counts[CODE_DECODED], 60 * 48 - (holes[k] != 0));
+        assert_int_equal(map.state[24 * 60 + 30], holes[k] != 0 ? CODE_UNSURE : CODE_DECODED);
+        check_at_most(map.noise, 1e-6);
+        code_map_free(&map);
+        folder_photos_free(&photos);
     }
 }
 
@@ -337,6 +374,7 @@ int main(void)
         cmocka_unit_test(test_a_folder_is_for_one_series),
         cmocka_unit_test(test_dark_and_broken_photographs_are_said),
         cmocka_unit_test(test_photographs_of_another_picture_are_said),
+        cmocka_unit_test(test_a_pixel_that_is_no_number_is_left_out),
         cmocka_unit_test(test_noise_and_lost_places_are_worth_a_warning),
         cmocka_unit_test(test_names_in_another_order_are_refused),
         cmocka_unit_test(test_saturated_photographs_are_said),
