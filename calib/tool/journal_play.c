@@ -105,6 +105,10 @@ static bool play_line(struct tool *tool, char *text)
         tool_note_saved(tool);
         return true;
     }
+    if (strcmp(word, "marks-saved") == 0) {
+        tool_note_marks_saved(tool);
+        return true;
+    }
     return false;
 }
 
@@ -145,16 +149,19 @@ static bool open_trial(struct playing *playing, const struct tool *tool)
 
 static bool take(struct playing *playing, const struct tool *tool, struct journal_text *text)
 {
-    bool saves, played;
+    bool saves, saves_marks, played;
 
     if (playing->start.done) {
         /* Looking elsewhere and another size are nothing that anyone would miss. */
         playing->play->changes +=
             strncmp(text->text, "look ", 5) != 0 && strncmp(text->text, "resize ", 7) != 0;
         saves = strcmp(text->text, "saved") == 0;
+        saves_marks = saves || strcmp(text->text, "marks-saved") == 0;
         played = play_line(&playing->trial, text->text);
         if (saves)
-            playing->from_saved = compare(tool, &playing->trial);
+            playing->from_saved.rig = compare(tool, &playing->trial).rig;
+        if (saves_marks)
+            playing->from_saved.marks = compare(tool, &playing->trial).marks;
         return played;
     }
     if (!journal_start_take(&playing->start, text->text))

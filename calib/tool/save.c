@@ -13,16 +13,17 @@
 bool tool_save(struct tool *tool, const char *rig_path)
 {
     struct cupola_error error = {0};
-    int steered = marks_walk_steered(tool);
+    /* Also where all were forgotten: the file would keep them. */
+    bool writes_marks = marks_walk_steered(tool) > 0 || tool_marks_differ(tool);
 
     if (cupola_rig_write(rig_path, &tool->rig, &error) < 0) {
         snprintf(tool->warning, MESSAGE_SIZE, "%s", error.message);
         return false;
     }
-    if (steered > 0 && !marks_write(tool->marks_path, &tool->marks, tool->warning))
+    if (writes_marks && !marks_write(tool->marks_path, &tool->marks, tool->warning))
         return false;
     tool->warning[0] = '\0';
-    if (steered > 0)
+    if (writes_marks)
         snprintf(tool->notice, MESSAGE_SIZE, "saved %s and %s", short_path(rig_path).text,
                  short_path(tool->marks_path).text);
     else
@@ -30,6 +31,10 @@ bool tool_save(struct tool *tool, const char *rig_path)
     if (strcmp(rig_path, tool->rig_path) == 0) {
         tool_note_saved(tool);
         journal_note(tool, "saved");
+    } else if (writes_marks) {
+        /* They have one file, wherever the rig goes. */
+        tool_note_marks_saved(tool);
+        journal_note(tool, "marks-saved");
     }
     return true;
 }

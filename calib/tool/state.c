@@ -97,29 +97,35 @@ static bool same_rig(const struct cupola_rig *a, const struct cupola_rig *b, int
            a->outputs[output].height_px == b->outputs[output].height_px;
 }
 
-static bool same_marks(const struct marks *a, const struct marks *b)
+bool tool_marks_differ(const struct tool *tool)
 {
-    for (int i = 0; i < a->count; i++)
-        if (a->list[i].steered != b->list[i].steered ||
-            (a->list[i].steered && (a->list[i].pixel_px[0] != b->list[i].pixel_px[0] ||
-                                    a->list[i].pixel_px[1] != b->list[i].pixel_px[1])))
-            return false;
-    return true;
+    for (int i = 0; i < tool->marks.count; i++) {
+        const struct mark *now = &tool->marks.list[i], *saved = &tool->saved_marks.list[i];
+        if (now->steered != saved->steered ||
+            (now->steered &&
+             (now->pixel_px[0] != saved->pixel_px[0] || now->pixel_px[1] != saved->pixel_px[1])))
+            return true;
+    }
+    return false;
 }
 
 void tool_compare_saved(struct tool *tool)
 {
-    tool->unsaved = !same_rig(&tool->rig, &tool->before, tool->output) ||
-                    !same_marks(&tool->marks, &tool->saved_marks);
+    tool->unsaved = !same_rig(&tool->rig, &tool->before, tool->output) || tool_marks_differ(tool);
+}
+
+void tool_note_marks_saved(struct tool *tool)
+{
+    if (tool->marks.count > 0)
+        memcpy(tool->saved_marks.list, tool->marks.list,
+               (size_t)tool->marks.count * sizeof *tool->marks.list);
+    tool_compare_saved(tool);
 }
 
 void tool_note_saved(struct tool *tool)
 {
     tool->before = tool->rig;
-    if (tool->marks.count > 0)
-        memcpy(tool->saved_marks.list, tool->marks.list,
-               (size_t)tool->marks.count * sizeof *tool->marks.list);
-    tool_compare_saved(tool);
+    tool_note_marks_saved(tool);
 }
 
 static void set_mark(struct tool *tool, int index, const struct mark_state *state)

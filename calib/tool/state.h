@@ -14,9 +14,13 @@ bool tool_redo_quietly(struct tool *tool);
 
 struct mark_state tool_mark_state(const struct tool *tool, int index);
 
-/* Whether anything is unsaved; and that nothing is. */
+/* Whether anything is unsaved; that nothing is; and that the marks are as they are in their file. */
 void tool_compare_saved(struct tool *tool);
 void tool_note_saved(struct tool *tool);
+void tool_note_marks_saved(struct tool *tool);
+
+/* Whether a mark has another pixel than in the file, or one more or less has one. */
+bool tool_marks_differ(const struct tool *tool);
 
 /* tool_resize without a word to the journal. False with one line in `message`. */
 bool tool_resize_quietly(struct tool *tool, int width_px, int height_px, char *message);

@@ -158,7 +158,7 @@ void tool_commit(struct tool *tool, const struct values *before, int mark,
 void tool_undo(struct tool *tool);
 void tool_redo(struct tool *tool);
 
-/* Saves rig and marks that were steered to. False with a warning. */
+/* Saves the rig, and marks that have pixels or had some in the file. False with a warning. */
 bool tool_save(struct tool *tool, const char *rig_path);
 
 /*

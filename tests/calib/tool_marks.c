@@ -137,6 +137,96 @@ static void saving_writes_what_reads_back(void **state)
     tool_close(&tool);
 }
 
+static int steered_in_file(void)
+{
+    struct marks marks;
+    char message[MESSAGE_SIZE];
+    int steered = 0;
+
+    if (!marks_read("marks-steered.csv", false, &marks, message))
+        fail_msg("%s", message);
+    for (int i = 0; i < marks.count; i++)
+        steered += marks.list[i].steered;
+    marks_free(&marks);
+    return steered;
+}
+
+static void forgetting_all_is_saved_like_any_change(void **state)
+{
+    struct marks saved;
+    struct tool tool;
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    unlink("marks-steered.csv");
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_S, 0);
+    assert_int_not_equal(access("marks-steered.csv", F_OK), 0); /* there is nothing to say */
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    tool_key(&tool, GLFW_KEY_S, 0);
+    assert_int_equal(steered_in_file(), 2);
+    tool_close(&tool);
+    assert_true(marks_read("marks-steered.csv", false, &saved, message));
+    open_with_marks(&tool, saved);
+    for (int i = 0; i < 2; i++) {
+        assert_true(tool_set(&tool, PARAMETER_MARK, i + 1));
+        tool_key(&tool, GLFW_KEY_BACKSPACE, 0);
+    }
+    assert_true(tool.unsaved);
+    tool_key(&tool, GLFW_KEY_S, 0);
+    assert_non_null(strstr(tool.notice, "marks-steered.csv"));
+    assert_false(tool.unsaved);
+    assert_int_equal(steered_in_file(), 0);
+    tool_close(&tool);
+}
+
+static void marks_that_cannot_be_written_are_unsaved(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    free(tool.marks_path);
+    tool.marks_path = strdup("there/is/no/folder.csv");
+    tool_key(&tool, GLFW_KEY_S, 0);
+    assert_true(tool.warning[0]);
+    assert_true(tool.unsaved);
+    tool_close(&tool);
+}
+
+/* They have one file, wherever the rig is saved to. */
+static void with_another_rig_the_marks_are_saved_too(void **state)
+{
+    struct tool tool, restored;
+    char message[MESSAGE_SIZE] = "";
+
+    (void)state;
+    unlink("marks-steered.csv");
+    unlink("rig.cfg.journal");
+    open_with_marks(&tool, three_marks());
+    assert_int_equal(journal_open(&tool, false, message), JOURNAL_NEW);
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    assert_true(tool_save(&tool, "other.cfg"));
+    assert_int_equal(steered_in_file(), 1);
+    tool_undo(&tool);
+    assert_true(tool.unsaved);
+    assert_int_equal(system("cp rig.cfg.journal copy.cfg.journal"), 0);
+
+    open_with_marks(&restored, three_marks());
+    free(restored.rig_path);
+    restored.rig_path = strdup("copy.cfg");
+    assert_int_equal(journal_open(&restored, false, message), JOURNAL_RESTORED);
+    check_same(&tool, &restored);
+    tool.unsaved = false;
+    tool_close(&tool);
+    tool_key(&restored, GLFW_KEY_S, 0);
+    assert_int_equal(steered_in_file(), 0);
+    assert_false(restored.unsaved);
+    tool_close(&restored);
+}
+
 static void without_marks_their_keys_say_so(void **state)
 {
     static const int keys[] = {GLFW_KEY_ENTER, GLFW_KEY_BACKSPACE, GLFW_KEY_PAGE_UP, GLFW_KEY_R};
@@ -312,6 +402,9 @@ int main(void)
         cmocka_unit_test(enter_takes_the_pixel_and_goes_to_the_next),
         cmocka_unit_test(names_that_cannot_be_drawn_are_numbers),
         cmocka_unit_test(saving_writes_what_reads_back),
+        cmocka_unit_test(forgetting_all_is_saved_like_any_change),
+        cmocka_unit_test(marks_that_cannot_be_written_are_unsaved),
+        cmocka_unit_test(with_another_rig_the_marks_are_saved_too),
         cmocka_unit_test(without_marks_their_keys_say_so),
         cmocka_unit_test(solving_is_one_step_that_names_wrong_marks),
         cmocka_unit_test(too_few_marks_are_refused_with_the_reason),
