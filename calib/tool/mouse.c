@@ -73,12 +73,21 @@ void tool_mouse(struct tool *tool, double x_px, double y_px)
         drag(tool, moved_px);
 }
 
+static bool is_over_image(const struct tool *tool)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+
+    return tool->mouse_px[0] >= 0 && tool->mouse_px[0] <= output->width_px &&
+           tool->mouse_px[1] >= 0 && tool->mouse_px[1] <= output->height_px;
+}
+
 void tool_mouse_button(struct tool *tool, bool pressed)
 {
-    if (pressed && !tool->drags) {
+    if (!pressed) {
+        tool->drags = false;
+    } else if (!tool->drags && is_over_image(tool)) {
         tool->drag = (tool->drag + 1) % 1000000;
         tool->drags = true;
         drag(tool, (double[2]){0, 0});
     }
-    tool->drags = pressed;
 }

@@ -210,19 +210,15 @@ static void place_image(const struct tool *tool, int width, int height, int plac
     place[1] = (height - place[3]) / 2;
 }
 
-bool stage_pixel(const struct tool *tool, int width, int height, double x, double y,
+void stage_pixel(const struct tool *tool, int width, int height, double x, double y,
                  double pixel_px[2])
 {
     const struct cupola_output *output = &tool->rig.outputs[tool->output];
     int place[4];
-    double at[2];
 
     place_image(tool, width, height, place);
-    at[0] = (x - place[0]) / place[2];
-    at[1] = (height - y - place[1]) / place[3];
-    pixel_px[0] = at[0] * output->width_px;
-    pixel_px[1] = at[1] * output->height_px;
-    return at[0] >= 0 && at[0] <= 1 && at[1] >= 0 && at[1] <= 1;
+    pixel_px[0] = (x - place[0]) / place[2] * output->width_px;
+    pixel_px[1] = (height - y - place[1]) / place[3] * output->height_px;
 }
 
 static void show_image(struct stage *stage, unsigned int framebuffer, const int place[4])

@@ -34,9 +34,9 @@ const struct target *stage_image(const struct stage *stage);
 
 /*
  * From a place in a frame of this size, px from the top left as mice have it, to image coordinates.
- * False where no image is; it is then a place beyond its edges.
+ * Where no image is, it is a place beyond its edges.
  */
-bool stage_pixel(const struct tool *tool, int width, int height, double x, double y,
+void stage_pixel(const struct tool *tool, int width, int height, double x, double y,
                  double pixel_px[2]);
 
 #endif

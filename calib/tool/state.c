@@ -35,6 +35,7 @@ bool tool_open(struct tool *tool, const struct cupola_rig *rig, int output, stru
                           .output = output,
                           .step_scale = 1,
                           .dot_size_rad = degree_rad,
+                          .mouse_px = {-1, -1},
                           .cross_px = {0.5 * shown->width_px, 0.5 * shown->height_px},
                           .shows_legend = true,
                           .shows_labels = true};

@@ -14,7 +14,7 @@ bool tool_redo_quietly(struct tool *tool);
 
 struct mark_state tool_mark_state(const struct tool *tool, int index);
 
-/* Whether anything is unsaved; that nothing is; and that the marks are as they are in their file. */
+/* Whether anything is unsaved; that nothing is; that the marks are as their file has them. */
 void tool_compare_saved(struct tool *tool);
 void tool_note_saved(struct tool *tool);
 void tool_note_marks_saved(struct tool *tool);

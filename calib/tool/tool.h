@@ -105,8 +105,8 @@ struct tool {
     struct marks saved_marks; /* pixels as they are in the file */
     bool asked_to_quit;       /* Escape once, with unsaved changes */
     bool drags;               /* the mouse's button is down */
-    double mouse_px[2];
-    int drag; /* number of the present or last drag: one is one step of history */
+    double mouse_px[2];       /* beside the image until it is known */
+    int drag;                 /* number of the present or last drag: one is one step of history */
 };
 
 /*
@@ -140,7 +140,10 @@ const char *tool_preview_name(int preview);
 bool tool_key(struct tool *tool, int key, int modifiers);
 bool tool_key_repeat(struct tool *tool, int key, int modifiers);
 
-/* The mouse over the image, continuous pixels of the output, origin bottom left; and its button. */
+/*
+ * The mouse, continuous pixels of the output, origin bottom left; and its button. It may be beside
+ * the image: no drag begins there, but one that began in it goes on.
+ */
 void tool_mouse(struct tool *tool, double x_px, double y_px);
 void tool_mouse_button(struct tool *tool, bool pressed);
 

@@ -17,6 +17,7 @@ struct window {
     struct tool shown; /* as it was when the last frame was drawn */
     struct stage *stage;
     int width, height; /* of the framebuffer, px */
+    double cursor[2];  /* screen coordinates, by the last event */
     struct display_place place;
     bool dirty; /* to be drawn anew whatever the tool says */
 };
@@ -52,23 +53,30 @@ static void on_key(GLFWwindow *handle, int key, int scancode, int action, int mo
     window->tool->wants_fullscreen = false;
 }
 
-static void on_cursor(GLFWwindow *handle, double x, double y)
+/* Tells the tool where the mouse is, as the image lies now. */
+static void point(struct window *window)
 {
-    struct window *window = glfwGetWindowUserPointer(handle);
     int width, height;
     double pixel[2];
-    bool inside;
 
-    glfwGetWindowSize(handle, &width, &height);
+    glfwGetWindowSize(window->handle, &width, &height);
     if (width < 1 || height < 1)
         return;
     window->tool->time_s = glfwGetTime();
     /* Screen coordinates need not be pixels. */
-    inside = stage_pixel(window->tool, window->width, window->height, x * window->width / width,
-                         y * window->height / height, pixel);
-    /* What is dragged may leave the image and come back. */
-    if (inside || window->tool->drags)
-        tool_mouse(window->tool, pixel[0], pixel[1]);
+    stage_pixel(window->tool, window->width, window->height,
+                window->cursor[0] * window->width / width,
+                window->cursor[1] * window->height / height, pixel);
+    tool_mouse(window->tool, pixel[0], pixel[1]);
+}
+
+static void on_cursor(GLFWwindow *handle, double x, double y)
+{
+    struct window *window = glfwGetWindowUserPointer(handle);
+
+    window->cursor[0] = x;
+    window->cursor[1] = y;
+    point(window);
 }
 
 static void on_button(GLFWwindow *handle, int button, int action, int modifiers)
@@ -76,9 +84,14 @@ static void on_button(GLFWwindow *handle, int button, int action, int modifiers)
     struct window *window = glfwGetWindowUserPointer(handle);
 
     (void)modifiers;
-    /* Where the mouse is was said by the last event: asked now, it may be further on already. */
-    if (button == GLFW_MOUSE_BUTTON_LEFT)
-        tool_mouse_button(window->tool, action == GLFW_PRESS);
+    if (button != GLFW_MOUSE_BUTTON_LEFT)
+        return;
+    /*
+     * Where the mouse is was said by the last event: asked now, it may be further on already. The
+     * image may since have gone elsewhere under it.
+     */
+    point(window);
+    tool_mouse_button(window->tool, action == GLFW_PRESS);
 }
 
 static void on_size(GLFWwindow *handle, int width, int height)
@@ -217,6 +230,7 @@ int window_run(struct tool *tool, const struct window_wishes *wishes, char *mess
     }
     window->tool = tool;
     window->dirty = true;
+    window->cursor[0] = window->cursor[1] = -1; /* beside it until it is known */
     if (open_window(window, wishes, message)) {
         window->stage = stage_create(message);
         if (window->stage && loop(window, wishes, message))

@@ -1,4 +1,4 @@
-/* Marks and the mouse: the cross-hair starts where the rig predicts it, and goes on from there. */
+/* Marks: the cross-hair starts where the rig predicts it, and goes on from there. */
 #include <cupola/dome.h>
 #include <cupola/projection.h>
 #include <cupola/rig_file.h>
@@ -243,51 +243,6 @@ static void without_marks_their_keys_say_so(void **state)
     tool_close(&tool);
 }
 
-static void a_drag_moves_the_circle_in_one_step(void **state)
-{
-    struct tool tool;
-
-    (void)state;
-    open_with_marks(&tool, (struct marks){0});
-    tool.group = GROUP_CIRCLE;
-    tool_mouse(&tool, 100, 100);
-    tool_mouse_button(&tool, true);
-    for (int i = 1; i <= 50; i++) {
-        tool.time_s += 0.5;
-        tool_mouse(&tool, 100 + i, 100 - 0.5 * i);
-    }
-    tool_mouse_button(&tool, false);
-    tool_mouse(&tool, 0, 0);
-    check_near(parameter_get(&tool, PARAMETER_CIRCLE_X), 562, 1e-9);
-    check_near(parameter_get(&tool, PARAMETER_CIRCLE_Y), 359, 1e-9);
-    assert_int_equal(history_undo_count(tool.history), 1);
-    tool_undo(&tool);
-    check_near(parameter_get(&tool, PARAMETER_CIRCLE_X), 512, 0);
-    tool_close(&tool);
-}
-
-static void the_dot_goes_to_the_mouse(void **state)
-{
-    struct tool tool;
-    cupola_dome *dome = NULL;
-    double direction[3], pixel_px[2];
-
-    (void)state;
-    open_with_marks(&tool, (struct marks){0});
-    tool.group = GROUP_DOT;
-    tool_mouse(&tool, 300, 500);
-    tool_mouse_button(&tool, true);
-    direction[0] = -sin(tool.dot_yaw_rad) * cos(tool.dot_pitch_rad);
-    direction[1] = sin(tool.dot_pitch_rad);
-    direction[2] = -cos(tool.dot_yaw_rad) * cos(tool.dot_pitch_rad);
-    assert_int_equal(cupola_dome_create(&tool.rig, &dome, NULL), CUPOLA_OK);
-    assert_int_equal(cupola_dome_pixel(dome, 0, NULL, direction, pixel_px), 1);
-    check_near(pixel_px[0], 300, 1e-6);
-    check_near(pixel_px[1], 500, 1e-6);
-    cupola_dome_destroy(&dome);
-    tool_close(&tool);
-}
-
 static void another_image_size_keeps_all_in_its_place(void **state)
 {
     struct tool tool;
@@ -408,8 +363,6 @@ int main(void)
         cmocka_unit_test(without_marks_their_keys_say_so),
         cmocka_unit_test(solving_is_one_step_that_names_wrong_marks),
         cmocka_unit_test(too_few_marks_are_refused_with_the_reason),
-        cmocka_unit_test(a_drag_moves_the_circle_in_one_step),
-        cmocka_unit_test(the_dot_goes_to_the_mouse),
         cmocka_unit_test(another_image_size_keeps_all_in_its_place),
         cmocka_unit_test(a_tracked_eye_is_shown_and_kept_inside),
     };

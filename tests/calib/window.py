@@ -118,6 +118,24 @@ def drive(tool):
     expect("x of the circle", number(text, "center_px", 0), 512 + 102.4, 2)
     expect("y of the circle", number(text, "center_px", 1), 384 + 25.6, 2)
 
+    # Beside the image, on the preview and below, a press takes nothing, even where the image was.
+    for key in ("c", "p"):
+        xdotool("key", key)
+    time.sleep(0.5)
+    for x, y in (("364", "184"), ("500", "240"), ("100", "470")):
+        if x != "364":
+            xdotool("mousemove", "--window", window, x, y)
+        xdotool("mousedown", "1")
+        xdotool("mousemove", "--window", window, "160", "240")
+        xdotool("mouseup", "1")
+    os.remove("out.cfg")
+    for key in "pps":
+        xdotool("key", key)
+    wait_for("the rig saved once more", lambda: os.path.exists("out.cfg"))
+    text = open("out.cfg", encoding="utf-8").read()
+    expect("x of the circle", number(text, "center_px", 0), 512 + 102.4, 2)
+    expect("y of the circle", number(text, "center_px", 1), 384 + 25.6, 2)
+
     xdotool("key", "F11")
     time.sleep(1)
     width, height, lit = count_lit(next_picture())
