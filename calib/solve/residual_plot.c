@@ -16,6 +16,7 @@
 
 #include "option_values.h"
 #include "short_path.h"
+#include "solve/lit_place.h"
 #include "solve/plot_text.h"
 #include "solve/search.h"
 
@@ -48,18 +49,19 @@ static double px_per_rad(const struct plot *plot)
     return (0.5 * SIZE - MARGIN) / plot->reach_rad;
 }
 
-/* From the mark's place to what its pixel lights, in the picture, not yet longer. */
+/* From the mark's place to what its pixel lights as far from the centre, not yet longer. */
 static void arrow(const struct plot *plot, int index, double from[2], double to[2])
 {
-    const struct mark *mark = &plot->request->marks->list[index];
-    struct cupola_ray ray;
+    const struct marks *marks = plot->request->marks;
+    const struct mark *mark = &marks->list[index];
+    double distance_m = plot->result->rig.screen.radius_m, point_m[3];
 
+    if (marks->kind == MARKS_POINTS)
+        distance_m = hypot(hypot(mark->place[0], mark->place[1]), mark->place[2]);
     place(plot, mark->place, from);
-    if (cupola_dome_ray(plot->dome, plot->request->output, NULL, mark->pixel_px[0],
-                        mark->pixel_px[1], &ray) < 0)
-        place(plot, mark->place, to);
-    else
-        place(plot, ray.point_m, to);
+    lit_place_find(plot->dome, plot->request->output, mark->pixel_px, distance_m, mark->place,
+                   point_m);
+    place(plot, point_m, to);
 }
 
 /* Outwards from the middle of the image, as far as it is lit. */
@@ -214,8 +216,7 @@ static void draw_legend(const struct plot *plot)
     snprintf(text, sizeof text, "%g degrees on the dome: arrows are %g times as long as residuals",
              bar, plot->factor);
     plot_text(plot->cairo, text, MARGIN + length + 12, y + 7, black);
-    snprintf(text, sizeof text,
-             "%d of %d marks: %.3g px rms, %.3g px at worst; circles every 30 degrees",
+    snprintf(text, sizeof text, "%d of %d marks: %.3g px rms, %.3g px at worst; circles every 30 degrees",
              plot->request->marks->count - plot->result->rejected, plot->request->marks->count,
              plot->result->rms_px, plot->result->worst_px);
     plot_text(plot->cairo, text, MARGIN, y + 37, black);
