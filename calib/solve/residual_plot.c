@@ -127,6 +127,7 @@ static double find_factor(const struct plot *plot)
     return fmin(fmax(factor, 1), 1e6);
 }
 
+/* Named as in the tool: latitude, 90 at the dome's axis and 0 where a hemisphere ends. */
 static void draw_circles(const struct plot *plot)
 {
     cairo_t *cairo = plot->cairo;
@@ -143,9 +144,9 @@ static void draw_circles(const struct plot *plot)
         cairo_rel_line_to(cairo, reach * sin(k * pi / 6), reach * cos(k * pi / 6));
         cairo_stroke(cairo);
     }
-    for (int angle = 30; angle <= plot->reach_rad * degrees + 0.5; angle += 30) {
+    for (int angle = 0; angle <= plot->reach_rad * degrees + 0.5; angle += 30) {
         char text[16];
-        snprintf(text, sizeof text, "%d", angle);
+        snprintf(text, sizeof text, "%d", 90 - angle);
         plot_text(cairo, text, 0.5 * SIZE + 4, 0.5 * SIZE - angle / degrees * px_per_rad(plot) - 4,
                   (double[3]){0.5, 0.5, 0.5});
     }
@@ -216,7 +217,7 @@ static void draw_legend(const struct plot *plot)
     snprintf(text, sizeof text, "%g degrees on the dome: arrows are %g times as long as residuals",
              bar, plot->factor);
     plot_text(plot->cairo, text, MARGIN + length + 12, y + 7, black);
-    snprintf(text, sizeof text, "%d of %d marks: %.3g px rms, %.3g px at worst; circles every 30 degrees",
+    snprintf(text, sizeof text, "%d of %d marks: %.3g px rms, %.3g px at worst; circles: latitude",
              plot->request->marks->count - plot->result->rejected, plot->request->marks->count,
              plot->result->rms_px, plot->result->worst_px);
     plot_text(plot->cairo, text, MARGIN, y + 37, black);
