@@ -71,23 +71,30 @@ static int open_tool(const struct tool_options *options, struct tool *tool, char
     struct cupola_rig rig;
     struct marks marks = {0};
     const char *rig_path = options->output ? options->output : options->rig;
-    char *marks_path = NULL;
-    int status = begin_rig(options, &rig, message);
+    const char *script =
+        options->script && strcmp(options->script, "-") != 0 ? options->script : NULL;
+    const struct tool_files files = {options->rig, options->theatre, options->marks, script,
+                                     options->picture};
+    char *marks_path = options->marks ? steered_path(options) : NULL;
+    int status;
 
     if (!rig_path)
         rig_path = "rig.cfg";
+    status = tool_files_check(&files, rig_path, marks_path, message)
+                 ? begin_rig(options, &rig, message)
+                 : STATUS_USAGE;
     if (status == STATUS_OK && !output_file_check("--output", rig_path, message))
         status = STATUS_FAILED;
-    if (status == STATUS_OK && options->marks) {
-        marks_path = steered_path(options);
-        if (!marks_path || !output_file_check("--marks-output", marks_path, message) ||
-            !marks_read(options->marks, false, &marks, message))
-            status = STATUS_FAILED;
-    }
+    if (status == STATUS_OK && options->marks &&
+        (!marks_path || !output_file_check("--marks-output", marks_path, message) ||
+         !marks_read(options->marks, false, &marks, message)))
+        status = STATUS_FAILED;
     if (status == STATUS_OK &&
         !tool_open(tool, &rig, options->projector, options->marks ? &marks : NULL, rig_path,
                    marks_path, message))
         status = STATUS_FAILED;
+    if (status == STATUS_OK)
+        tool->files = files;
     free(marks_path);
     return status;
 }

@@ -145,8 +145,7 @@ static enum journal_found look_into(struct tool *tool, bool fresh, char *message
     return result;
 }
 
-/* One name for one file, whichever of its links it is called by. To be freed. */
-static char *path_beside(const char *rig_path)
+char *journal_path_beside(const char *rig_path)
 {
     char *behind = output_file_behind_links(rig_path), *path = NULL;
     struct stat named;
@@ -168,7 +167,7 @@ static char *path_beside(const char *rig_path)
 
 enum journal_found journal_open(struct tool *tool, bool fresh, char *message)
 {
-    char *path = path_beside(tool->rig_path);
+    char *path = journal_path_beside(tool->rig_path);
     struct journal *journal = calloc(1, sizeof *journal);
     enum journal_file_opened opened = JOURNAL_FILE_REFUSED;
     enum journal_found result = JOURNAL_FAILED;

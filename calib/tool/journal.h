@@ -27,6 +27,12 @@ enum journal_found {
  */
 enum journal_found journal_open(struct tool *tool, bool fresh, char *message);
 
+/*
+ * The journal of a rig that is saved to this path: one name for one file, whichever of its links it
+ * is called by. To be freed; NULL without memory.
+ */
+char *journal_path_beside(const char *rig_path);
+
 /* Writes a step; values that differ from `before`. */
 void journal_change(struct tool *tool, const struct values *before, const struct change *change,
                     bool merges);

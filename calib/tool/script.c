@@ -132,7 +132,8 @@ static bool picture(struct playing *playing, bool dome, const char *path)
     const struct value_context context = {dome ? "dome" : "picture", playing->message};
 
     playing->tool->wants_picture = false;
-    if (!value_output_path(&context, path, &path))
+    if (!value_output_path(&context, path, &path) ||
+        !tool_files_check_line(playing->tool, context.option, path, false, playing->message))
         return false;
     if (playing->stage)
         return playing->stage->picture(playing->stage->user, playing->tool, dome, path,
@@ -195,6 +196,8 @@ static bool play_save(struct playing *playing, int count, char **words)
 {
     struct tool *tool = playing->tool;
 
+    if (count > 0 && !tool_files_check_line(tool, "save", words[0], true, playing->message))
+        return false;
     if (tool_save(tool, count > 0 ? words[0] : tool->rig_path))
         return true;
     snprintf(playing->message, MESSAGE_SIZE, "%s", tool->warning);

@@ -12,6 +12,7 @@
 #include "marks.h"
 #include "option_values.h"
 #include "tool/parameters.h"
+#include "tool/tool_files.h"
 #include "viewer_osc.h"
 
 struct history; /* history.h */
@@ -97,8 +98,9 @@ struct tool {
     bool wants_picture;    /* of what the window shows; whoever writes it makes it false again */
     double time_s;         /* now, by any clock that goes forward; set before keys and mouse */
 
-    char *rig_path;   /* to save to */
-    char *marks_path; /* likewise; NULL without marks */
+    char *rig_path;          /* to save to */
+    char *marks_path;        /* likewise; NULL without marks */
+    struct tool_files files; /* that it was begun with */
     struct history *history;
     struct journal *journal; /* NULL: none is kept */
 

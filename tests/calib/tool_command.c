@@ -82,6 +82,91 @@ static void wrong_options_are_refused_in_one_line(void **state)
     }
 }
 
+/* A rig with a link to it, marks, a theatre and a session that saves all. */
+static void make_files(void)
+{
+    check_run("rm -rf *; echo save | \"$C\" --output r.cfg --script - && ln -s r.cfg same.cfg && "
+              "mkdir f && printf 'name,dir_x,dir_y,dir_z\na,0,0,-1\nb,0.6,0,-0.8\n' >p.csv && "
+              "ln -s p.csv p.png && cp r.cfg t.cfg.bak && cat r.cfg p.csv >before && "
+              "printf 'key M\nkey Enter\nkey A\nkey Up\nkey S\n' >s.script",
+              0, "");
+}
+
+static const char unchanged[] = "status=$?; cat r.cfg p.csv | cmp - before && exit $status";
+
+static void no_file_is_written_over_another(void **state)
+{
+    static const struct {
+        const char *options, *says;
+    } wrong[] = {
+        {"r.cfg --marks p.csv --marks-output r.cfg", "--rig and --marks-output are the same file"},
+        {"r.cfg --marks p.csv --marks-output same.cfg", "--rig and --marks-output"},
+        {"same.cfg --marks p.csv --marks-output f/../r.cfg", "--rig and --marks-output"},
+        {"r.cfg --output o.cfg --marks p.csv --marks-output r.cfg", "--rig and --marks-output"},
+        {"--output p.csv --marks p.csv", "--output and --marks are the same file, p.csv"},
+        {"--output o.cfg --marks p.csv --marks-output o.cfg", "--output and --marks-output"},
+        {"--output p-steered.csv --marks p.csv", "--output and --marks-output"},
+        {"r.cfg --marks p.csv --marks-output r.cfg.bak", "--output (what was there) and --marks-o"},
+        {"same.cfg --marks p.csv --marks-output r.cfg.bak", "--output (what was there) and"},
+        {"--output y.cfg --marks p.csv --marks-output y.cfg.journal", "--output (its journal) and"},
+        {"--output t.cfg.bak --theatre t.cfg.bak", "--output and --theatre"},
+        {"--output t.cfg --theatre t.cfg.bak", "--output (what was there) and --theatre"},
+        {"--output s.script", "--output and --script"},
+        {"--marks p.csv --marks-output s.script", "--marks-output and --script"},
+    };
+    char line[500];
+
+    (void)state;
+    make_files();
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        snprintf(line, sizeof line, "\"$C\" %s --script s.script; %s", wrong[i].options, unchanged);
+        check_run(line, 2, wrong[i].says);
+        assert_non_null(strstr(output, "; allowed: files of their own\n"));
+    }
+    snprintf(line, sizeof line, "\"$C\" --marks p.csv --picture p.png; %s", unchanged);
+    check_run(line, 2, "--marks and --picture are the same file");
+}
+
+static void no_line_of_a_script_writes_over_another_file(void **state)
+{
+    static const struct {
+        const char *line, *says;
+    } wrong[] = {
+        {"save p.csv", "s.script:1: --marks and save are the same file, p.csv"},
+        {"save n.csv", "--marks-output and save are the same file"},
+        {"save r.cfg.bak", "--output (what was there) and save"},
+        {"save r.cfg.journal", "--output (its journal) and save"},
+        {"save t.cfg.bak", "--theatre and save"},
+        {"save s.script", "--script and save"},
+        {"save t.cfg", "--theatre and save"},
+        {"picture p.png", "--marks and picture"},
+        {"dome p.png", "--marks and dome"},
+    };
+    char line[500];
+
+    (void)state;
+    make_files();
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        snprintf(line, sizeof line,
+                 "echo '%s' >s.script; \"$C\" r.cfg --marks p.csv --marks-output n.csv --theatre "
+                 "t.cfg.bak --script s.script; %s",
+                 wrong[i].line, unchanged);
+        check_run(line, 1, wrong[i].says);
+    }
+}
+
+static void what_is_changed_in_place_may_be(void **state)
+{
+    (void)state;
+    make_files();
+    check_run(
+        "\"$C\" r.cfg --marks p.csv --marks-output p.csv --theatre r.cfg --script s.script && "
+        "grep -q x_px p.csv && \"$C\" t.cfg.bak --output t.cfg --script s.script && "
+        "printf 'save\nsave same.cfg\nsave t.cfg\nsave o.cfg\n' | "
+        "\"$C\" r.cfg --output t.cfg --script - --journal",
+        0, "");
+}
+
 static void missing_files_are_failures(void **state)
 {
     (void)state;
@@ -214,6 +299,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(help_names_every_key_and_value),
         cmocka_unit_test(wrong_options_are_refused_in_one_line),
+        cmocka_unit_test(no_file_is_written_over_another),
+        cmocka_unit_test(no_line_of_a_script_writes_over_another_file),
+        cmocka_unit_test(what_is_changed_in_place_may_be),
         cmocka_unit_test(missing_files_are_failures),
         cmocka_unit_test(a_session_as_a_script),
         cmocka_unit_test(a_script_keeps_a_journal_only_if_asked),
