@@ -8,22 +8,22 @@
 #include "tool/state.h"
 #include "tool/tool.h"
 
-/* The place of the dot that a pixel shows; false where it shows none. */
-static bool dot_at(const struct tool *tool, const double pixel_px[2], double *yaw, double *pitch)
+/* The dot goes to where the picture has the mouse, by the eye that it is drawn for. */
+static void set_dot(struct tool *tool)
 {
     cupola_dome *dome = NULL;
+    struct cupola_rig shown;
     struct cupola_ray ray;
-    bool lit;
 
-    if (cupola_dome_create(&tool->rig, &dome, NULL) < 0)
-        return false;
-    lit = cupola_dome_ray(dome, tool->output, NULL, pixel_px[0], pixel_px[1], &ray) == 1;
+    tool_shown_rig(tool, &shown);
+    if (cupola_dome_create(&shown, &dome, NULL) < 0)
+        return;
+    if (cupola_dome_ray(dome, tool->output, NULL, tool->mouse_px[0], tool->mouse_px[1], &ray) ==
+        1) {
+        tool->dot_yaw_rad = atan2(-ray.direction[0], -ray.direction[2]);
+        tool->dot_pitch_rad = asin(fmin(fmax(ray.direction[1], -1), 1));
+    }
     cupola_dome_destroy(&dome);
-    if (!lit)
-        return false;
-    *yaw = atan2(-ray.direction[0], -ray.direction[2]);
-    *pitch = asin(fmin(fmax(ray.direction[1], -1), 1));
-    return true;
 }
 
 static void set_cross(struct tool *tool)
@@ -34,6 +34,12 @@ static void set_cross(struct tool *tool)
     tool->cross_px[1] = fmin(fmax(tool->mouse_px[1], 0), output->height_px);
 }
 
+static bool drags_anything(const struct tool *tool)
+{
+    return tool->group == GROUP_CIRCLE || tool->group == GROUP_MARKS || tool->group == GROUP_DOT ||
+           tool->pattern == PATTERN_DOT;
+}
+
 /* Moves what the group is about, by `moved_px` or to where the mouse is. */
 static void drag(struct tool *tool, const double moved_px[2])
 {
@@ -42,16 +48,18 @@ static void drag(struct tool *tool, const double moved_px[2])
     struct cupola_circle *circle = &tool->rig.outputs[tool->output].circle;
     struct cupola_error error = {0};
 
+    if (!drags_anything(tool))
+        return;
+    /* What is dragged is what is set up: that is shown, even where nothing changes. */
+    tool->shows_before = false;
     values_take(tool, &before);
     if (tool->group == GROUP_CIRCLE) {
         circle->center_x_px += moved_px[0];
         circle->center_y_px += moved_px[1];
     } else if (tool->group == GROUP_MARKS) {
         set_cross(tool);
-    } else if (tool->group == GROUP_DOT || tool->pattern == PATTERN_DOT) {
-        dot_at(tool, tool->mouse_px, &tool->dot_yaw_rad, &tool->dot_pitch_rad);
     } else {
-        return;
+        set_dot(tool);
     }
     if (cupola_rig_complete(&tool->rig, NULL, &error) < 0) {
         tool->rig = rig;

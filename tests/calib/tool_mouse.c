@@ -90,23 +90,70 @@ static void a_drag_may_leave_the_image_and_come_back(void **state)
     tool_close(&tool);
 }
 
+/* Where the picture that is shown has the dot. */
+static void find_dot(const struct tool *tool, double pixel_px[2])
+{
+    const double direction[3] = {-sin(tool->dot_yaw_rad) * cos(tool->dot_pitch_rad),
+                                 sin(tool->dot_pitch_rad),
+                                 -cos(tool->dot_yaw_rad) * cos(tool->dot_pitch_rad)};
+    cupola_dome *dome = NULL;
+    struct cupola_rig shown;
+
+    tool_shown_rig(tool, &shown);
+    assert_int_equal(cupola_dome_create(&shown, &dome, NULL), CUPOLA_OK);
+    assert_int_equal(cupola_dome_pixel(dome, 0, NULL, direction, pixel_px), 1);
+    cupola_dome_destroy(&dome);
+}
+
+static void press_for_dot(struct tool *tool)
+{
+    double pixel_px[2];
+
+    press_at(tool, 300, 500);
+    find_dot(tool, pixel_px);
+    check_near(pixel_px[0], 300, 1e-6);
+    check_near(pixel_px[1], 500, 1e-6);
+}
+
 static void the_dot_goes_to_the_mouse(void **state)
 {
     struct tool tool;
-    cupola_dome *dome = NULL;
-    double direction[3], pixel_px[2];
+    double pixel_px[2];
 
     (void)state;
     open_tool(&tool, GROUP_DOT);
-    press_at(&tool, 300, 500);
-    direction[0] = -sin(tool.dot_yaw_rad) * cos(tool.dot_pitch_rad);
-    direction[1] = sin(tool.dot_pitch_rad);
-    direction[2] = -cos(tool.dot_yaw_rad) * cos(tool.dot_pitch_rad);
-    assert_int_equal(cupola_dome_create(&tool.rig, &dome, NULL), CUPOLA_OK);
-    assert_int_equal(cupola_dome_pixel(dome, 0, NULL, direction, pixel_px), 1);
-    check_near(pixel_px[0], 300, 1e-6);
-    check_near(pixel_px[1], 500, 1e-6);
-    cupola_dome_destroy(&dome);
+    press_for_dot(&tool);
+    /* The picture of an eye elsewhere has it elsewhere. */
+    memcpy(tool.live_eye_m, (double[]){0.2, 0.1, 0.1}, sizeof tool.live_eye_m);
+    tool.viewer_lives = true;
+    find_dot(&tool, pixel_px);
+    check_at_least(fabs(pixel_px[0] - 300), 10);
+    press_for_dot(&tool);
+    tool.viewer_lives = false;
+    find_dot(&tool, pixel_px);
+    check_at_least(fabs(pixel_px[0] - 300), 10);
+    press_for_dot(&tool);
+    tool_close(&tool);
+}
+
+static void a_drag_shows_what_is_set_up(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    open_tool(&tool, GROUP_DOT);
+    assert_true(tool_set(&tool, PARAMETER_PITCH, 10));
+    press_for_dot(&tool);
+    /* The dot is there already: nothing changes but what is shown. */
+    tool_key(&tool, GLFW_KEY_B, 0);
+    assert_true(tool.shows_before);
+    press_for_dot(&tool);
+    assert_false(tool.shows_before);
+    /* What takes no mouse leaves it. */
+    tool_key(&tool, GLFW_KEY_B, 0);
+    tool.group = GROUP_AIM;
+    press_at(&tool, 310, 510);
+    assert_true(tool.shows_before);
     tool_close(&tool);
 }
 
@@ -117,6 +164,7 @@ int main(void)
         cmocka_unit_test(beside_the_image_no_drag_begins),
         cmocka_unit_test(a_drag_may_leave_the_image_and_come_back),
         cmocka_unit_test(the_dot_goes_to_the_mouse),
+        cmocka_unit_test(a_drag_shows_what_is_set_up),
     };
     return cmocka_run_group_tests(tests, enter_folder, NULL);
 }
