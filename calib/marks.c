@@ -293,25 +293,32 @@ static void write_name(FILE *file, const char *name)
         fputc('"', file);
 }
 
+bool marks_settle(struct whole_file *file, const char *path, const struct marks *marks,
+                  char *message)
+{
+    bool points = marks->kind == MARKS_POINTS;
+
+    if (!whole_file_begin(file, path, message))
+        return false;
+    fprintf(file->stream, "name,x_px,y_px,%s\n", points ? "x_m,y_m,z_m" : "dir_x,dir_y,dir_z");
+    for (int i = 0; i < marks->count; i++) {
+        const struct mark *mark = &marks->list[i];
+        write_name(file->stream, mark->name);
+        if (mark->steered)
+            fprintf(file->stream, ",%.17g,%.17g", mark->pixel_px[0], mark->pixel_px[1]);
+        else
+            fputs(",,", file->stream);
+        fprintf(file->stream, ",%.17g,%.17g,%.17g\n", mark->place[0], mark->place[1],
+                mark->place[2]);
+    }
+    return whole_file_settle(file, message);
+}
+
 bool marks_write(const char *path, const struct marks *marks, char *message)
 {
     struct whole_file file;
-    bool points = marks->kind == MARKS_POINTS;
 
-    if (!whole_file_begin(&file, path, message))
-        return false;
-    fprintf(file.stream, "name,x_px,y_px,%s\n", points ? "x_m,y_m,z_m" : "dir_x,dir_y,dir_z");
-    for (int i = 0; i < marks->count; i++) {
-        const struct mark *mark = &marks->list[i];
-        write_name(file.stream, mark->name);
-        if (mark->steered)
-            fprintf(file.stream, ",%.17g,%.17g", mark->pixel_px[0], mark->pixel_px[1]);
-        else
-            fputs(",,", file.stream);
-        fprintf(file.stream, ",%.17g,%.17g,%.17g\n", mark->place[0], mark->place[1],
-                mark->place[2]);
-    }
-    return whole_file_end(&file, message);
+    return marks_settle(&file, path, marks, message) && whole_file_end(&file, message);
 }
 
 void marks_free(struct marks *marks)

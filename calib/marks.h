@@ -8,6 +8,8 @@
 
 #include <stdbool.h>
 
+#include "whole_file.h"
+
 enum {
     MARK_NAME_MAX = 63, /* bytes */
     MARKS_MAX = 100000, /* in a file */
@@ -41,6 +43,13 @@ bool marks_read(const char *path, bool needs_pixels, struct marks *marks, char *
 
 /* Writes a file, whole or not at all, that reads back as the same numbers to the last bit. */
 bool marks_write(const char *path, const struct marks *marks, char *message);
+
+/*
+ * The same up to its name, which whole_file_end gives: for a file that is to appear with others.
+ * False with one line; nothing is then to be ended.
+ */
+bool marks_settle(struct whole_file *file, const char *path, const struct marks *marks,
+                  char *message);
 
 /* Frees the list; all zero afterwards. */
 void marks_free(struct marks *marks);

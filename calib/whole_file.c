@@ -76,7 +76,14 @@ bool whole_file_begin(struct whole_file *file, const char *path, char *message)
     return false;
 }
 
-bool whole_file_end(struct whole_file *file, char *message)
+static bool give_up(struct whole_file *file, int problem, char *message)
+{
+    fail(file->path, "cannot be written", problem, message);
+    whole_file_abort(file);
+    return false;
+}
+
+bool whole_file_settle(struct whole_file *file, char *message)
 {
     int problem = 0;
 
@@ -86,13 +93,15 @@ bool whole_file_end(struct whole_file *file, char *message)
     if (fclose(file->stream) != 0 && !problem)
         problem = errno;
     file->stream = NULL;
-    if (!problem && rename(file->temporary, file->path) != 0)
-        problem = errno;
-    if (problem) {
-        fail(file->path, "cannot be written", problem, message);
-        whole_file_abort(file);
+    return !problem || give_up(file, problem, message);
+}
+
+bool whole_file_end(struct whole_file *file, char *message)
+{
+    if (file->stream && !whole_file_settle(file, message))
         return false;
-    }
+    if (rename(file->temporary, file->path) != 0)
+        return give_up(file, errno, message);
     forget(file);
     return true;
 }

@@ -11,7 +11,7 @@
  * temporary one. A link stays a link; devices, pipes and directories are refused.
  */
 struct whole_file {
-    FILE *stream;    /* to be written to */
+    FILE *stream;    /* to be written to; NULL: settled */
     char *path;      /* links followed */
     char *temporary; /* beside it */
 };
@@ -19,10 +19,19 @@ struct whole_file {
 /* False with one line in `message`, MESSAGE_SIZE bytes; nothing is then to be ended. */
 bool whole_file_begin(struct whole_file *file, const char *path, char *message);
 
-/* Brings it to the disk and gives it its name. False with one line; the old file is as it was. */
+/*
+ * Brings all of it to the disk, so that only the name is still to be given: with several files,
+ * none is given one before all are there. False with one line; nothing is then to be ended.
+ */
+bool whole_file_settle(struct whole_file *file, char *message);
+
+/*
+ * Gives it its name, after bringing to the disk what is not yet there. False with one line; the old
+ * file is as it was.
+ */
 bool whole_file_end(struct whole_file *file, char *message);
 
-/* Gives up: the temporary file goes. */
+/* Gives up: the temporary file goes. Nothing happens to what is all zero, or ended. */
 void whole_file_abort(struct whole_file *file);
 
 /*

@@ -15,6 +15,7 @@
 #include "order.h"
 #include "output_file.h"
 #include "status.h"
+#include "whole_file.h"
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 
@@ -208,25 +209,40 @@ static double median_sd_px(const struct patches *patches)
     return median;
 }
 
-static int write_results(struct decoding *decoding, char *message)
+static bool write_solved(const struct decoding *decoding, char *message)
 {
     const struct capture_options *options = decoding->options;
     struct cupola_rig rig = decoding->rig;
     struct cupola_error error = {0};
 
-    if (!marks_write(options->output, &decoding->marks, message))
+    if (!options->solved)
+        return true;
+    rig.outputs[options->projector] = decoding->pose.projector;
+    if (cupola_rig_write(options->solved, &rig, &error) >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "--solved: %s", error.message);
+    return false;
+}
+
+/* Both files or none: the marks get their name after the rig has its own. */
+static int write_results(const struct decoding *decoding, char *message)
+{
+    const struct capture_options *options = decoding->options;
+    struct whole_file marks;
+
+    if (!marks_settle(&marks, options->output, &decoding->marks, message))
+        return STATUS_FAILED;
+    if (!write_solved(decoding, message)) {
+        whole_file_abort(&marks);
+        return STATUS_FAILED;
+    }
+    if (!whole_file_end(&marks, message))
         return STATUS_FAILED;
     printf("marks: %d in %s, places known to %.2g px (median); left out: %d beyond the screen, %d "
            "where too little is decoded, %d where places are not smooth\n",
            decoding->marks.count, options->output, median_sd_px(&decoding->patches),
            decoding->beyond, decoding->patches.thin, decoding->patches.rough);
-    if (!options->solved)
-        return STATUS_OK;
-    rig.outputs[options->projector] = decoding->pose.projector;
-    if (cupola_rig_write(options->solved, &rig, &error) >= 0)
-        return STATUS_OK;
-    snprintf(message, MESSAGE_SIZE, "--solved: %s", error.message);
-    return STATUS_FAILED;
+    return STATUS_OK;
 }
 
 static int check(struct decoding *decoding, char *message)

@@ -41,33 +41,53 @@ static bool read_start(const struct solve_options *options, struct cupola_rig *s
     return status >= 0;
 }
 
+static bool settle_json(struct whole_file *file, const struct solve_options *options,
+                        const struct solve_request *request, const struct solve_result *result,
+                        char *message)
+{
+    if (!options->json || to_standard_output(options))
+        return true;
+    if (!whole_file_begin(file, options->json, message))
+        return false;
+    solve_json_write(file->stream, request, result);
+    return whole_file_settle(file, message);
+}
+
+static bool settle_plot(struct whole_file *file, const struct solve_options *options,
+                        const struct solve_request *request, const struct solve_result *result,
+                        char *message)
+{
+    return !options->plot ||
+           (whole_file_begin(file, options->plot, message) &&
+            residual_plot_write(file->stream, options->plot, request, result, message) &&
+            whole_file_settle(file, message));
+}
+
+static bool write_rig(const struct solve_options *options, const struct cupola_rig *rig,
+                      char *message)
+{
+    struct cupola_error error = {0};
+
+    if (!options->output || cupola_rig_write(options->output, rig, &error) >= 0)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "--output: %s", error.message);
+    return false;
+}
+
 /*
- * JSON and picture wait beside their names until the rig is written, so that either all files are
- * there or none.
+ * JSON and picture are on the disk before the rig is, and get their names after it: a full disk
+ * leaves all files as they were.
  */
 static bool write_files(const struct solve_options *options, const struct solve_request *request,
                         const struct solve_result *result, char *message)
 {
     struct whole_file json = {0}, plot = {0};
-    struct cupola_error error = {0};
-    bool written = true;
+    bool written = settle_json(&json, options, request, result, message) &&
+                   settle_plot(&plot, options, request, result, message) &&
+                   write_rig(options, &result->rig, message) &&
+                   (!json.path || whole_file_end(&json, message)) &&
+                   (!plot.path || whole_file_end(&plot, message));
 
-    if (options->json && !to_standard_output(options)) {
-        written = whole_file_begin(&json, options->json, message);
-        if (written)
-            solve_json_write(json.stream, request, result);
-    }
-    if (written && options->plot)
-        written = whole_file_begin(&plot, options->plot, message) &&
-                  residual_plot_write(plot.stream, options->plot, request, result, message);
-    if (written && options->output && cupola_rig_write(options->output, &result->rig, &error) < 0) {
-        snprintf(message, MESSAGE_SIZE, "--output: %s", error.message);
-        written = false;
-    }
-    if (written && json.stream)
-        written = whole_file_end(&json, message);
-    if (written && plot.stream)
-        written = whole_file_end(&plot, message);
     whole_file_abort(&json);
     whole_file_abort(&plot);
     return written;

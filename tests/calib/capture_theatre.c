@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cupola/dome.h>
 #include <cupola/rig_file.h>
@@ -167,6 +169,7 @@ static void test_a_fisheye_at_the_eye_makes_the_dome_right(void **state)
 
 static void test_an_ordinary_camera_anywhere_makes_the_dome_right(void **state)
 {
+    char message[MESSAGE_SIZE];
     struct errors errors;
     struct cupola_rig solved;
 #define DECODE_ORDINARY                                                                            \
@@ -181,6 +184,14 @@ static void test_an_ordinary_camera_anywhere_makes_the_dome_right(void **state)
     check_errors(solve_marks("m.csv"), "ordinary camera");
     assert_int_equal(cupola_rig_read("solved.cfg", NULL, &solved, NULL), 0);
     check_errors(compare(&solved), "ordinary camera, its own projector");
+
+    /* A rig that cannot be kept, its backup's name being a folder's: no marks either. */
+    capture_write_rig("kept.cfg", &truth);
+    assert_int_equal(mkdir("kept.cfg.bak", 0777), 0);
+    assert_int_equal(unlink("m.csv"), 0);
+    assert_int_equal(capture_run(DECODE_ORDINARY "80 --solved kept.cfg", message), 1);
+    assert_non_null(strstr(message, "kept.cfg.bak: is a directory"));
+    assert_int_not_equal(access("m.csv", F_OK), 0);
 
     /* The control: a field of view off by 2 degrees; and what becomes of it if it is free. */
     run(DECODE_ORDINARY "82");

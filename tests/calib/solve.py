@@ -224,6 +224,39 @@ def a_disk_that_fills_up_is_named():
     assert sorted(os.listdir(".")) == before, os.listdir(".")
 
 
+def files_of_a_solution_come_together():
+    """JSON that does not fit leaves the rig as it was, and the other way round."""
+    rows = theatre(40)
+    for i in range(10):
+        rows[i][0] = "%060d" % i
+        rows[i][1] += 70 + 5 * i
+    write_marks("marks.csv", rows)
+    words = ["marks.csv", "--rig", "start.cfg", "--output", "whole.cfg", "--json", "whole.json"]
+    assert run(*words).returncode == 0
+    size = os.path.getsize("whole.json")
+    assert os.path.getsize("whole.cfg") < size < 4096, "only the JSON is too large for less"
+    for name in "whole.cfg", "whole.json":
+        with open(name, "w") as file:
+            file.write("as it was\n")
+    before = sorted(os.listdir("."))
+
+    def nothing_changed(done, wished):
+        assert done.returncode == 1 and wished in done.stderr, done
+        assert sorted(os.listdir(".")) == before, os.listdir(".")
+        for name in "whole.cfg", "whole.json":
+            assert open(name).read() == "as it was\n", name
+
+    nothing_changed(
+        subprocess.run([PROGRAM, "solve", *words], capture_output=True, text=True, timeout=60,
+                       preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE,
+                                                             (size - 1, size - 1))),
+        "whole.json: cannot be written: " + os.strerror(errno.EFBIG))
+    # The rig's backup would go where a folder is.
+    os.mkdir("whole.cfg.bak")
+    before = sorted(os.listdir("."))
+    nothing_changed(run(*words), "whole.cfg.bak: is a directory")
+
+
 def main():
     folder = tempfile.mkdtemp(prefix="cupola-solve-")
     try:
@@ -239,6 +272,7 @@ def main():
         what_marks_cannot_tell_is_refused()
         odd_command_lines_are_refused()
         a_disk_that_fills_up_is_named()
+        files_of_a_solution_come_together()
     finally:
         os.chdir("/")
         shutil.rmtree(folder)
