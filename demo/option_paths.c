@@ -40,6 +40,19 @@ bool value_output_path(const struct value_context *context, const char *text, co
     return false;
 }
 
+bool value_png_path(const struct value_context *context, const char *text, const char **path)
+{
+    if (is_option(context, text))
+        return false;
+    if (is_png(text)) {
+        *path = text;
+        return true;
+    }
+    snprintf(context->message, MESSAGE_SIZE, "%s: '%s' is not allowed; allowed: FILE.png",
+             context->option, short_path(text).text);
+    return false;
+}
+
 bool value_path(const struct value_context *context, const char *text, const char **path)
 {
     if (is_option(context, text))

@@ -7,6 +7,9 @@
 /* FILE.png or FILE.pfm. */
 bool value_output_path(const struct value_context *context, const char *text, const char **path);
 
+/* FILE.png. */
+bool value_png_path(const struct value_context *context, const char *text, const char **path);
+
 /* Any name but an empty one. */
 bool value_path(const struct value_context *context, const char *text, const char **path);
 

@@ -8,7 +8,6 @@
 
 #include "named_files.h"
 #include "option_paths.h"
-#include "output_file.h"
 #include "short_path.h"
 #include "solve/solve.h"
 #include "status.h"
@@ -62,17 +61,6 @@ void solve_options_print_help(void)
         stdout);
 }
 
-static bool plot_path(const struct value_context *context, const char *text, const char **path)
-{
-    if (!value_output_path(context, text, path))
-        return false;
-    if (!output_file_is_pfm(text))
-        return true;
-    snprintf(context->message, MESSAGE_SIZE, "%s: '%s' is not allowed; allowed: FILE.png",
-             context->option, short_path(text).text);
-    return false;
-}
-
 static bool take(int code, const char *text, struct solve_options *options, char *message)
 {
     char option[32] = "";
@@ -102,7 +90,7 @@ static bool take(int code, const char *text, struct solve_options *options, char
     case JSON:
         return value_path(&context, text, &options->json);
     case PLOT:
-        return plot_path(&context, text, &options->plot);
+        return value_png_path(&context, text, &options->plot);
     default:
         return options->verbose = true;
     }

@@ -196,7 +196,8 @@ def odd_command_lines_are_refused():
     refused(2, "unknown option '--what'", *good, "--what")
     refused(2, "unknown option '-x'", *good, "-x")
     refused(2, "takes no value", *good, "--flips=1")
-    refused(2, "FILE.png", *good, "--plot", "plot.pfm")
+    for name in "plot.pfm", ".", "/dev/full", "-", "marks.csv", ".png", "":
+        refused(2, "--plot: '%s' is not allowed; allowed: FILE.png\n" % name, *good, "--plot", name)
     refused(2, "same file", *good, "--output", "./marks.csv")
     refused(2, "same file", *good, "--output", "new.cfg", "--json", "new.cfg")
     refused(2, "same file", *good, "--json", "start.cfg")
