@@ -79,12 +79,12 @@ static bool photograph_all(struct showing *showing, char *message)
     bool held = false;
     int count = series_count(&showing->series);
 
-    if (!folder_is_for("--folder", options->folder, ".png", &showing->series, message) ||
-        !folder_make("--folder", options->folder, message))
+    if (!folder_is_for("--folder", options->folder, ".png", &showing->series, message))
         return false;
     showing->device = device_open(options->device, options->width, options->height, message);
     if (!showing->device || !show_number(showing, 0, message) ||
-        !device_settle(showing->device, &held, message))
+        !device_settle(showing->device, &held, message) ||
+        !folder_make("--folder", options->folder, message))
         return false;
     if (!held)
         fprintf(stderr, "cupola-calib capture show: the camera does not let its exposure be held; "

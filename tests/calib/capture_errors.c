@@ -133,7 +133,7 @@ static void test_wrong_files_are_refused(void **state)
     refuse("decode --rig other.cfg --camera angular:180 --output m.csv --folder right", FAILED,
            "the patterns are of 64x48 px, and projector 0 of the rig is of 80x48");
     refuse(DECODE "--folder fewer", FAILED, "none is called 05-x-inverse-1");
-    refuse(DECODE "--patterns right right/00-white.pfm", FAILED, "1 photographs; allowed: 26");
+    refuse(DECODE "--patterns right right/00-white.pfm", FAILED, "1 photograph; allowed: 26");
     refuse(DECODE "--folder right --camera equirectangular", FAILED, "twice as wide as high");
     refuse(DECODE "--folder right --output gone/m.csv", FAILED, "gone/m.csv cannot be written");
     refuse(DECODE "--folder right --references refs.csv", FAILED, "5 to 175 degrees");
