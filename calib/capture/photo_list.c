@@ -89,7 +89,8 @@ bool photo_list_check(const struct photo_list *list, const struct series *series
     if (list->count != all) {
         describe_names(list, series, reason, sizeof reason);
         snprintf(message, MESSAGE_SIZE,
-                 "%d photograph%s; allowed: %d, one of each pattern, in the order of the patterns%s",
+                 "%d photograph%s; allowed: %d, one of each pattern, in the order of the "
+                 "patterns%s",
                  list->count, list->count == 1 ? "" : "s", all, reason);
         return false;
     }
