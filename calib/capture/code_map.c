@@ -268,6 +268,12 @@ static bool read_one(struct reading *reading, int number, char *message)
     return done;
 }
 
+/* With ambient light it is more than half of the contrast. */
+static float mid_grey(const struct reading *reading, size_t i)
+{
+    return 0.5f * (reading->white.light[i] + reading->black.light[i]);
+}
+
 static void predict(struct reading *reading)
 {
     const struct series *series = reading->settings->series;
@@ -276,7 +282,7 @@ static void predict(struct reading *reading)
 
     code_noise_fit(&reading->noise);
     for (size_t i = 0; i < pixel_count(map); i++) {
-        double light = 0.5 * ((double)reading->white.light[i] + (double)reading->black.light[i]);
+        double light = (double)mid_grey(reading, i);
         if (map->state[i] != CODE_DECODED)
             continue;
         for (int axis = 0; axis < 2; axis++)
@@ -287,22 +293,30 @@ static void predict(struct reading *reading)
     }
 }
 
+static float median(float *numbers, size_t count)
+{
+    qsort(numbers, count, sizeof *numbers, order_floats);
+    return numbers[count / 2];
+}
+
 static void count_states(struct reading *reading)
 {
     struct code_map *map = reading->map;
-    float *contrasts = reading->amplitude[0]; /* no longer needed */
+    /* No longer needed for what they were. */
+    float *contrasts = reading->amplitude[0], *greys = reading->amplitude[1];
     size_t decoded = 0;
 
     for (size_t i = 0; i < pixel_count(map); i++) {
         map->counts[map->state[i]]++;
-        if (map->state[i] == CODE_DECODED)
-            contrasts[decoded++] = reading->white.light[i] - reading->black.light[i];
+        if (map->state[i] != CODE_DECODED)
+            continue;
+        contrasts[decoded] = reading->white.light[i] - reading->black.light[i];
+        greys[decoded++] = mid_grey(reading, i);
     }
     if (decoded == 0)
         return;
-    qsort(contrasts, decoded, sizeof *contrasts, order_floats);
-    map->contrast = (double)contrasts[decoded / 2];
-    map->noise = code_noise_at(&reading->noise, 0.5 * map->contrast);
+    map->contrast = (double)median(contrasts, decoded);
+    map->noise = code_noise_at(&reading->noise, (double)median(greys, decoded));
 }
 
 bool code_map_read(const struct code_settings *settings, struct code_map *map, char *message)

@@ -26,7 +26,9 @@ struct code_map {
     float *sd_px[2];      /* its standard deviation as the noise predicts it */
     unsigned char *state; /* of enum code_state */
     int counts[CODE_STATES];
-    double noise; /* of one photograph, at mid-grey of what is decoded; 1: all that it holds */
+    /* Of one photograph, half way between none and all of the projector's light, ambient light
+     * included; the median of what is decoded. 1: all that a photograph holds. */
+    double noise;
     struct code_check check;
     double contrast; /* median between all light and none of what is decoded; 0: nothing is */
 };

@@ -12,11 +12,14 @@ static const double PI = 3.14159265358979323846;
 
 static const struct series small = {.size_px = {200, 72}, .period_px = 16, .steps = 4};
 
+enum { SIGHT_WIDTH = 240, SIGHT_HEIGHT = 85 };
+
 /* What a camera of as many pixels sees of the projector's image, with its noise. */
 struct sight {
     const struct series *series;
     double scale, shift_px[2]; /* place = scale * pixel + shift */
     double ambient, lit, read, counted;
+    double fall;       /* of the light, from left to right, as a part of it */
     int swapped_steps; /* the sines are shown the other way round */
     uint64_t state;
 };
@@ -57,6 +60,7 @@ static double sight_light(const struct series_picture *picture, int i, int j, vo
                 0.5 * cos(2 * PI *
                           (place / sight->series->period_px - (double)step / sight->series->steps));
     shown = sight->ambient + sight->lit * shown;
+    shown *= 1 - sight->fall * (i + 0.5) / SIGHT_WIDTH;
     if (sight->read > 0 || sight->counted > 0)
         shown += normal(&sight->state) *
                  sqrt(sight->read * sight->read + sight->counted * sight->counted * shown);
@@ -270,7 +274,7 @@ static void test_errors_are_as_large_as_predicted(void **state)
         sight.counted = cases[c].counted;
         sight.state = c;
         snprintf(folder, sizeof folder, "photos-%d", (int)c);
-        capture_write_photos(folder, &series, 240, 85, sight_light, &sight);
+        capture_write_photos(folder, &series, SIGHT_WIDTH, SIGHT_HEIGHT, sight_light, &sight);
         read_map(folder, &series, &map);
         light = 0.1 + 0.5 * cases[c].lit;
         assert_int_equal(map.counts[CODE_DECODED], map.width * map.height);
@@ -286,6 +290,30 @@ static void test_errors_are_as_large_as_predicted(void **state)
     }
 }
 
+/* Brightness halves from left to right, so that what light adds to the noise can be told. */
+static void test_noise_is_told_at_mid_grey_whatever_the_ambient_light(void **state)
+{
+    static const double ambients[] = {0, 0.3, 1, 3};
+
+    (void)state;
+    for (size_t c = 0; c < sizeof ambients / sizeof *ambients; c++) {
+        struct sight sight = {.series = &small, .scale = 0.8, .shift_px = {3.1, 1.7}};
+        struct code_map map;
+        double grey = 0.75 * (ambients[c] + 0.5 * 0.7);
+        sight.ambient = ambients[c];
+        sight.lit = 0.7;
+        sight.fall = 0.5;
+        sight.read = 0.002;
+        sight.counted = 0.01;
+        sight.state = c;
+        capture_write_photos("grey", &small, SIGHT_WIDTH, SIGHT_HEIGHT, sight_light, &sight);
+        read_map("grey", &small, &map);
+        check_near(map.contrast, 0.75 * 0.7, 0.01);
+        check_near(map.noise, sqrt(0.002 * 0.002 + 0.01 * 0.01 * grey), 0.03 * map.noise);
+        code_map_free(&map);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -296,6 +324,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_every_pixel_comes_back_without_noise,
                                         capture_enter_directory, capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_every_pixel_of_written_pictures_comes_back,
+                                        capture_enter_directory, capture_leave_directory),
+        cmocka_unit_test_setup_teardown(test_noise_is_told_at_mid_grey_whatever_the_ambient_light,
                                         capture_enter_directory, capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_errors_are_as_large_as_predicted,
                                         capture_enter_directory, capture_leave_directory),
