@@ -13,7 +13,10 @@ struct viewer_feed {
 
 struct viewer_feed *viewer_feed_create(const struct viewer_feed_wishes *wishes, char *message)
 {
-    /* Reports that are a little late, or that one of is missing, do not end the prediction. */
+    /*
+     * All of the sphere, but that no rounding takes the eye out of it. Reports that are a little
+     * late, or that one of is missing, do not end the prediction.
+     */
     struct cupola_viewer_params params = {
         .radius_m = wishes->radius_m, .reach = 0.999, .horizon_s = 0.1 + wishes->ahead_s};
     struct viewer_feed *feed = calloc(1, sizeof *feed);
@@ -40,6 +43,18 @@ void viewer_feed_destroy(struct viewer_feed *feed)
     if (feed)
         viewer_osc_destroy(feed->osc);
     free(feed);
+}
+
+void viewer_feed_set_radius(struct viewer_feed *feed, double radius_m)
+{
+    const struct cupola_viewer last = feed->viewer;
+    struct cupola_viewer_params params = last.params;
+
+    params.radius_m = radius_m;
+    if (radius_m == last.params.radius_m || cupola_viewer_start(&feed->viewer, &params, NULL) < 0)
+        return;
+    if (last.reports > 0)
+        cupola_viewer_report(&feed->viewer, last.time_s, last.position_m);
 }
 
 bool viewer_feed_eye(struct viewer_feed *feed, double eye_m[3])

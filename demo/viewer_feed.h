@@ -25,6 +25,12 @@ struct viewer_feed *viewer_feed_create(const struct viewer_feed_wishes *wishes, 
 void viewer_feed_destroy(struct viewer_feed *feed);
 
 /*
+ * Another sphere round the same centre. The eye goes on from where it was reported last, at rest. A
+ * radius that is not allowed (cupola/viewer.h) changes nothing.
+ */
+void viewer_feed_set_radius(struct viewer_feed *feed, double radius_m);
+
+/*
  * Takes what has come, and says where the eye will be: dome frame, inside of the sphere. False, and
  * the eye untouched, until something was reported. Never waits; once a frame, one thread.
  */

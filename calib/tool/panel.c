@@ -78,8 +78,10 @@ static void add_tracker(const struct tool *tool, struct panel *panel)
 static void write_legend(const struct tool *tool, struct panel *panel)
 {
     const struct cupola_output *output = &tool->rig.outputs[tool->output];
+    double eye_m[3] = {tool->rig.eye_m[0], tool->rig.eye_m[1], tool->rig.eye_m[2]};
     char text[200], number[80];
 
+    tool_live_eye(tool, tool->rig.screen.radius_m, eye_m);
     panel->columns = 3;
     add_line(panel, tool_group_name(tool->group), "", tool->shows_before ? "BEFORE" : "");
     for (int which = 0; which < 3; which++)
@@ -93,10 +95,7 @@ static void write_legend(const struct tool *tool, struct panel *panel)
     snprintf(text, sizeof text, "%.3f, %.3f, %.3f m", output->position_m[0], output->position_m[1],
              output->position_m[2]);
     add_line(panel, "projector", text, "");
-    snprintf(text, sizeof text, "%.3f, %.3f, %.3f m",
-             tool->viewer_lives ? tool->live_eye_m[0] : tool->rig.eye_m[0],
-             tool->viewer_lives ? tool->live_eye_m[1] : tool->rig.eye_m[1],
-             tool->viewer_lives ? tool->live_eye_m[2] : tool->rig.eye_m[2]);
+    snprintf(text, sizeof text, "%.3f, %.3f, %.3f m", eye_m[0], eye_m[1], eye_m[2]);
     add_line(panel, "viewer", text, tool->viewer_lives ? "from the tracker" : "");
     add_tracker(tool, panel);
     snprintf(text, sizeof text, "%s about the %s", tool_pattern_name(tool->pattern),

@@ -129,8 +129,7 @@ bool preview_draw(struct preview_room *preview, const struct tool *tool, unsigne
     } else {
         cupola_spectator_at_eye(preview->dome, &spectator);
         spectator.fov_rad = EYE_FOV_RAD;
-        if (tool->viewer_lives)
-            memcpy(spectator.position_m, tool->live_eye_m, sizeof spectator.position_m);
+        tool_live_eye(tool, rig.screen.radius_m, spectator.position_m);
     }
     spectator.encoding = CUPOLA_ENCODING_SRGB;
     for (int i = 0; i < 3; i++)

@@ -68,20 +68,27 @@ void tool_close(struct tool *tool)
     *tool = (struct tool){0};
 }
 
-void tool_shown_rig(const struct tool *tool, struct cupola_rig *rig)
+double tool_eye_reach_m(double radius_m)
 {
-    const double reach = 0.95; /* an eye beyond the screen sees nothing */
-    double length;
+    /* Nearer to the screen hosts plan no views (head_radius_m of cupola/plan.h). */
+    return 0.9 * radius_m;
+}
 
-    *rig = tool->shows_before ? tool->before : tool->rig;
-    if (!tool->viewer_lives)
-        return;
-    length = hypot(hypot(tool->live_eye_m[0], tool->live_eye_m[1]), tool->live_eye_m[2]);
-    if (!isfinite(length))
+void tool_live_eye(const struct tool *tool, double radius_m, double eye_m[3])
+{
+    const double *live_m = tool->live_eye_m;
+    double length = hypot(hypot(live_m[0], live_m[1]), live_m[2]);
+
+    if (!tool->viewer_lives || !isfinite(length))
         return;
     for (int i = 0; i < 3; i++)
-        rig->eye_m[i] =
-            tool->live_eye_m[i] * fmin(1, reach * rig->screen.radius_m / fmax(length, 1e-300));
+        eye_m[i] = live_m[i] * fmin(1, tool_eye_reach_m(radius_m) / fmax(length, 1e-300));
+}
+
+void tool_shown_rig(const struct tool *tool, struct cupola_rig *rig)
+{
+    *rig = tool->shows_before ? tool->before : tool->rig;
+    tool_live_eye(tool, rig->screen.radius_m, rig->eye_m);
 }
 
 static bool same_rig(const struct cupola_rig *a, const struct cupola_rig *b, int output)

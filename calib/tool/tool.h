@@ -124,6 +124,12 @@ void tool_close(struct tool *tool);
 /* The rig that is shown: before or after, with the eye where it is at the moment. */
 void tool_shown_rig(const struct tool *tool, struct cupola_rig *rig);
 
+/* How far from the centre of a screen of this radius an eye that moves may be. */
+double tool_eye_reach_m(double radius_m);
+
+/* Where a tracker has the eye, kept in reach within such a screen; untouched where none has one. */
+void tool_live_eye(const struct tool *tool, double radius_m, double eye_m[3]);
+
 /* The three values of a group, in the order of the arrow keys; false where a place has none. */
 bool tool_group_parameter(const struct tool *tool, int which, enum parameter *parameter);
 

@@ -7,7 +7,6 @@
 #include "viewer_feed.h"
 
 static const double TOLD_EVERY_S = 0.25;
-static const double REACH = 0.9; /* of the screen's radius: so far from its centre the eye may be */
 
 struct tracker {
     struct viewer_feed *feed;
@@ -18,7 +17,8 @@ struct tracker *tracker_open(struct tool *tool, const char *address, double ahea
 {
     const struct viewer_feed_wishes wishes = {.address = address,
                                               .ahead_s = ahead_ms / 1000,
-                                              .radius_m = REACH * tool->rig.screen.radius_m};
+                                              .radius_m =
+                                                  tool_eye_reach_m(tool->rig.screen.radius_m)};
     struct tracker *tracker = calloc(1, sizeof *tracker);
 
     if (!tracker) {
@@ -48,6 +48,7 @@ void tracker_hear(struct tool *tool, void *user)
 {
     struct tracker *tracker = user;
 
+    viewer_feed_set_radius(tracker->feed, tool_eye_reach_m(tool->rig.screen.radius_m));
     if (viewer_feed_eye(tracker->feed, tool->live_eye_m))
         tool->viewer_lives = true;
     if (tool->time_s < tracker->told_s + TOLD_EVERY_S)

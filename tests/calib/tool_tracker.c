@@ -10,6 +10,8 @@
 static const char report[] = "/viewer\0,fff\0\0\0\0\0\0\0\0\0\0\0\0\x3e\x80\0"; /* 0, 0, 0.25 */
 static const char elsewhere[] = "/head\0\0\0,fff\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0";
 static const char refused[] = "/viewer\0,fff\0\0\0\0\x7f\x80\0\0\0\0\0\0\0\0\0"; /* infinity */
+/* 0, 0, 20: beyond every screen of these tests, and no report that is refused. */
+static const char far_away[] = "/viewer\0,fff\0\0\0\0\0\0\0\0\0\0\0\0\x41\xa0\0";
 enum { BYTES = 28 };
 
 struct line {
@@ -89,6 +91,40 @@ static void every_kind_is_told(void **state)
     close_line(&line);
 }
 
+static double eye_distance_m(const struct tool *tool)
+{
+    struct cupola_rig rig;
+
+    tool_shown_rig(tool, &rig);
+    return sqrt(rig.eye_m[0] * rig.eye_m[0] + rig.eye_m[1] * rig.eye_m[1] +
+                rig.eye_m[2] * rig.eye_m[2]);
+}
+
+/* Whatever has changed the screen since the tracker was opened. */
+static void the_eye_may_go_as_far_as_the_screen_of_now_allows(void **state)
+{
+    struct line line;
+    double before_m;
+
+    (void)state;
+    open_line(&line);
+    before_m = line.tool.rig.screen.radius_m;
+    post(&line, far_away, BYTES, 1);
+    tracker_hear(&line.tool, line.tracker);
+    check_near(eye_distance_m(&line.tool), 0.9 * before_m, 0.001 * before_m);
+    assert_true(tool_set(&line.tool, PARAMETER_SCREEN_RADIUS, 2 * before_m));
+    tracker_hear(&line.tool, line.tracker);
+    check_near(eye_distance_m(&line.tool), 1.8 * before_m, 0.002 * before_m);
+    line.tool.shows_before = true;
+    check_near(eye_distance_m(&line.tool), 0.9 * before_m, 0.001 * before_m);
+    tool_undo(&line.tool);
+    check_near(eye_distance_m(&line.tool), 0.9 * before_m, 0.001 * before_m);
+    tool_redo(&line.tool);
+    tracker_hear(&line.tool, line.tracker);
+    check_near(eye_distance_m(&line.tool), 1.8 * before_m, 0.002 * before_m);
+    close_line(&line);
+}
+
 /* Else what nobody asked for would draw frames. */
 static void it_is_told_a_few_times_a_second(void **state)
 {
@@ -132,6 +168,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind_is_told),
+        cmocka_unit_test(the_eye_may_go_as_far_as_the_screen_of_now_allows),
         cmocka_unit_test(it_is_told_a_few_times_a_second),
         cmocka_unit_test(without_a_tracker_there_is_no_line),
     };

@@ -296,6 +296,14 @@ static void a_feed_has_an_eye_once_something_came(void **state)
     assert_true(viewer_feed_eye(feed, eye_m));
     check_near(eye_m[0], 1.05, 1e-6);
     assert_int_equal(viewer_feed_counts(feed)->taken, 1);
+    /* What was reported counts on in another sphere; none that is impossible is taken. */
+    viewer_feed_set_radius(feed, 0.02);
+    assert_true(viewer_feed_eye(feed, eye_m));
+    check_near(eye_m[0], 1.02, 1e-4);
+    viewer_feed_set_radius(feed, -1);
+    viewer_feed_set_radius(feed, 5);
+    assert_true(viewer_feed_eye(feed, eye_m));
+    check_near(eye_m[0], 1.05, 1e-6);
     close(sender);
     viewer_feed_destroy(feed);
     viewer_feed_destroy(NULL);
