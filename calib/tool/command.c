@@ -126,9 +126,11 @@ static void warn_of_others(const struct tool_options *options, struct tool *tool
 /* What was not saved, and where it is. */
 static void tell_unsaved(const struct tool *tool)
 {
-    const char *path = journal_path(tool->journal);
+    const char *path = tool->journal ? journal_path(tool->journal) : NULL;
 
-    if (journal_is_whole(tool->journal))
+    if (!tool->journal)
+        fprintf(stderr, "cupola-calib: unsaved changes are lost\n");
+    else if (journal_is_whole(tool->journal))
         fprintf(stderr, "cupola-calib: unsaved changes are kept in %s\n", short_path(path).text);
     else
         fprintf(stderr, "cupola-calib: unsaved changes are lost: %s cannot be written (%s)\n",
@@ -264,19 +266,21 @@ static int run_window(const struct tool_options *options, struct tool *tool, cha
 
 static int run(const struct tool_options *options, char *message)
 {
+    char warnings[2 * MESSAGE_SIZE];
     struct tool tool;
     int status = open_tool(options, &tool, message);
 
     if (status != STATUS_OK)
         return status;
     status = begin(options, &tool, message);
-    if (status == STATUS_OK && (tool.warning[0] || tool.notice[0]))
-        complain("", STATUS_OK, tool.warning[0] ? tool.warning : tool.notice);
+    tool_warnings(&tool, "; ", warnings);
+    if (status == STATUS_OK && (warnings[0] || tool.notice[0]))
+        complain("", STATUS_OK, warnings[0] ? warnings : tool.notice);
     if (status == STATUS_OK)
         status = options->script || options->picture || options->headless
                      ? run_without_window(options, &tool, message)
                      : run_window(options, &tool, message);
-    if (tool.journal && tool.unsaved)
+    if (tool.unsaved && (tool.journal || tool.standing[0]))
         tell_unsaved(&tool);
     tool_close(&tool);
     return status;

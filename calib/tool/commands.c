@@ -163,12 +163,14 @@ static void set_look(struct tool *tool, const struct key_binding *binding)
 
 static void quit(struct tool *tool)
 {
+    bool kept = tool->journal && journal_is_whole(tool->journal);
+
     tool->ends = !tool->unsaved || tool->asked_to_quit;
     tool->asked_to_quit = true;
     if (!tool->ends)
         snprintf(tool->notice, MESSAGE_SIZE,
                  "there are unsaved changes: S saves, Esc once more quits without saving%s",
-                 tool->journal ? "; the journal keeps them" : "");
+                 kept ? "; the journal keeps them" : ", and they are lost");
 }
 
 static void show(struct tool *tool, enum command command)

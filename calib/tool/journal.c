@@ -16,7 +16,7 @@
 struct journal {
     struct journal_file file;
     long lines;
-    bool failing;    /* the last line could not be written */
+    bool failing;    /* something could not be written so far */
     double synced_s; /* when it was brought to the disk last */
     int look[4];     /* as it was written last */
     struct journal_others others;
@@ -32,24 +32,29 @@ static void look_of(const struct tool *tool, int look[4])
     look[3] = tool->coefficient;
 }
 
-/* Writes a line; where that fails the tool says so once and works on. */
+/* Where it cannot be written the tool says so for as long as that is so, and works on. */
+static void note_written(struct tool *tool, bool written)
+{
+    struct journal *journal = tool->journal;
+
+    if (!written)
+        snprintf(tool->standing, MESSAGE_SIZE,
+                 "the journal cannot be written (%s): save soon, a crash would lose changes",
+                 strerror(errno));
+    else if (journal->failing)
+        snprintf(tool->notice, MESSAGE_SIZE, "the journal is written again");
+    if (written)
+        tool->standing[0] = '\0';
+    journal->failing = !written;
+}
+
 static void append(struct tool *tool, const struct journal_text *text)
 {
     struct journal *journal = tool->journal;
     char line[JOURNAL_TEXT_MAX + 64];
     size_t length = journal_line_print(line, ++journal->lines, text);
 
-    if (journal_file_append(&journal->file, line, length)) {
-        if (journal->failing)
-            snprintf(tool->notice, MESSAGE_SIZE, "the journal is written again");
-        journal->failing = false;
-        return;
-    }
-    if (!journal->failing)
-        snprintf(tool->warning, MESSAGE_SIZE,
-                 "the journal cannot be written (%s): save soon, a crash would lose what comes now",
-                 strerror(errno));
-    journal->failing = true;
+    note_written(tool, journal_file_append(&journal->file, line, length));
 }
 
 static void write_start(struct tool *tool)
@@ -181,7 +186,7 @@ enum journal_found journal_open(struct tool *tool, bool fresh, char *message)
     if (opened != JOURNAL_FILE_OPEN) {
         free(journal);
         if (opened == JOURNAL_FILE_REFUSED)
-            snprintf(tool->warning, MESSAGE_SIZE, "%.1400s; a crash would lose changes", message);
+            snprintf(tool->standing, MESSAGE_SIZE, "%.1400s; a crash would lose changes", message);
         return opened == JOURNAL_FILE_REFUSED ? JOURNAL_NEW : JOURNAL_FAILED;
     }
     tool->journal = journal;
@@ -231,12 +236,16 @@ void journal_look(struct tool *tool)
     journal_note(tool, line);
 }
 
-void journal_idle(struct journal *journal, double time_s)
+void journal_idle(struct tool *tool)
 {
-    if (!journal || !journal->file.dirty ||
-        (time_s >= journal->synced_s && time_s - journal->synced_s < sync_s))
+    struct journal *journal = tool->journal;
+
+    if (!journal || (!journal->file.dirty && !journal->failing) ||
+        (tool->time_s >= journal->synced_s && tool->time_s - journal->synced_s < sync_s))
         return;
-    journal->synced_s = time_s;
+    journal->synced_s = tool->time_s;
+    if (journal->failing)
+        note_written(tool, journal_file_flush(&journal->file));
     journal_file_sync(&journal->file);
 }
 

@@ -23,7 +23,7 @@ enum journal_found {
  * Opens tool->rig_path + ".journal", behind links, for a tool that was just opened, and locks it.
  * One that exists is played into the tool; with `fresh` it is moved aside as .journal.old. A
  * damaged one is moved aside as .journal.damaged and refused; so is one that another tool uses,
- * that belongs to another projector, or that cannot be written; the tool is then as it was.
+ * that belongs to another projector. One that cannot be written is none: tool->standing says so.
  */
 enum journal_found journal_open(struct tool *tool, bool fresh, char *message);
 
@@ -43,8 +43,8 @@ void journal_note(struct tool *tool, const char *line);
 /* What is looked at: pattern, group, about, coefficient; only where it has changed. */
 void journal_look(struct tool *tool);
 
-/* Brings it to the disk, where the last time was a second ago. */
-void journal_idle(struct journal *journal, double time_s);
+/* Once in a second: brings it to the disk, and writes what a full one did not take. */
+void journal_idle(struct tool *tool);
 
 /* Its file, as it is named in messages. */
 const char *journal_path(const struct journal *journal);

@@ -135,6 +135,10 @@ static void wrap(char *text, int width)
     for (char *at = text; *at; at++) {
         if (*at == ' ')
             blank = at;
+        if (*at == '\n') {
+            line = at + 1;
+            blank = NULL;
+        }
         if (at - line >= width && blank) {
             *blank = '\n';
             line = blank + 1;
@@ -150,6 +154,14 @@ static void write_message(const char *message, int width, struct panel *panel)
     wrap(panel->text[0], width);
 }
 
+static void write_warnings(const struct tool *tool, int width, struct panel *panel)
+{
+    char text[2 * MESSAGE_SIZE];
+
+    tool_warnings(tool, "\n", text);
+    write_message(text, width, panel);
+}
+
 void panel_write(const struct tool *tool, enum panel_place place, int width, struct panel *panel)
 {
     memset(panel, 0, sizeof *panel);
@@ -158,7 +170,7 @@ void panel_write(const struct tool *tool, enum panel_place place, int width, str
     else if (place == PANEL_HELP && tool->shows_help)
         write_help(panel);
     else if (place == PANEL_WARNING)
-        write_message(tool->warning, width, panel);
+        write_warnings(tool, width, panel);
     else if (place == PANEL_NOTICE)
         write_message(tool->notice, width, panel);
     /* No empty line at the end. */

@@ -130,8 +130,11 @@ bool script_expect(const struct tool *tool, int count, char *const *words, char 
 {
     int parameter = count > 0 ? parameter_find(words[0]) : -1;
 
-    if (count > 0 && strcmp(words[0], "warning") == 0)
-        return expect_text("warning", tool->warning, count, words, message);
+    if (count > 0 && strcmp(words[0], "warning") == 0) {
+        char warnings[2 * MESSAGE_SIZE];
+        tool_warnings(tool, "; ", warnings);
+        return expect_text("warning", warnings, count, words, message);
+    }
     if (count > 0 && strcmp(words[0], "notice") == 0)
         return expect_text("notice", tool->notice, count, words, message);
     if (count != 2 && !(parameter >= 0 && count == 4 && strcmp(words[2], "within") == 0)) {

@@ -250,5 +250,11 @@ void tool_redo(struct tool *tool)
 
 void tool_idle(struct tool *tool)
 {
-    journal_idle(tool->journal, tool->time_s);
+    journal_idle(tool);
+}
+
+void tool_warnings(const struct tool *tool, const char *between, char text[2 * MESSAGE_SIZE])
+{
+    snprintf(text, 2 * MESSAGE_SIZE, "%s%s%s", tool->standing,
+             tool->standing[0] && tool->warning[0] ? between : "", tool->warning);
 }

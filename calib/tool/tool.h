@@ -90,8 +90,9 @@ struct tool {
         struct viewer_osc_counts counts;
     } tracker;
 
-    char warning[MESSAGE_SIZE]; /* why the last change was impossible; empty: it was not */
-    char notice[MESSAGE_SIZE];  /* what happened: "saved lobby.cfg" */
+    char warning[MESSAGE_SIZE];  /* why the last change was impossible; empty: it was not */
+    char standing[MESSAGE_SIZE]; /* likewise, until its cause goes: no journal can be written */
+    char notice[MESSAGE_SIZE];   /* what happened: "saved lobby.cfg" */
     bool unsaved;
     bool ends;
     bool wants_fullscreen; /* F11: the other way; whoever does it makes it false again */
@@ -177,6 +178,9 @@ bool tool_save(struct tool *tool, const char *rig_path);
  * place in the picture (cupola_output_resize). False with a warning.
  */
 bool tool_resize(struct tool *tool, int width_px, int height_px);
+
+/* All that is warned of now, with `between` between what stays and what the last change did. */
+void tool_warnings(const struct tool *tool, const char *between, char text[2 * MESSAGE_SIZE]);
 
 /* To be called every frame: brings the journal to the disk now and then. */
 void tool_idle(struct tool *tool);

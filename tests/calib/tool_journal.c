@@ -247,9 +247,36 @@ static void what_is_no_plain_file_is_left_alone(void **state)
     open_same(&tool);
     assert_int_equal(open_journal(&tool, message), JOURNAL_NEW);
     assert_null(tool.journal);
-    assert_non_null(strstr(tool.warning, "no plain file"));
+    assert_non_null(strstr(tool.standing, "no plain file"));
+    tool_set(&tool, PARAMETER_YAW, 1);
+    assert_non_null(strstr(tool.standing, "a crash would lose changes"));
+    assert_true(tool_key(&tool, GLFW_KEY_ESCAPE, 0));
+    assert_non_null(strstr(tool.notice, "quits without saving, and they are lost"));
     forget(&tool);
     unlink("rig.cfg.journal");
+}
+
+/* Whatever is done meanwhile. */
+static void check_warns_of_the_journal(struct tool *tool)
+{
+    static const int keys[] = {GLFW_KEY_A, GLFW_KEY_RIGHT, GLFW_KEY_B, GLFW_KEY_X, GLFW_KEY_H};
+    char warnings[2 * MESSAGE_SIZE];
+
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        assert_true(tool_key(tool, keys[i], 0));
+        tool->time_s += 5;
+        tool_idle(tool);
+        tool_warnings(tool, "; ", warnings);
+        assert_ptr_equal(strstr(warnings, "the journal cannot be written (File too"), warnings);
+    }
+    tool_undo(tool);
+    tool_undo(tool);
+    assert_false(tool_set(tool, PARAMETER_CAP, 400));
+    tool_warnings(tool, "; ", warnings);
+    assert_non_null(strstr(warnings, "save soon, a crash would lose changes; "));
+    assert_non_null(strstr(warnings, "400"));
+    assert_true(tool_key(tool, GLFW_KEY_ESCAPE, 0));
+    assert_non_null(strstr(tool->notice, "quits without saving, and they are lost"));
 }
 
 static void on_a_full_disk_the_tool_works_on_and_catches_up(void **state)
@@ -273,10 +300,15 @@ static void on_a_full_disk_the_tool_works_on_and_catches_up(void **state)
         tool.time_s += 5;
         tool_set(&tool, PARAMETER_YAW, i);
     }
+    check_warns_of_the_journal(&tool);
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
     check_near(parameter_get(&tool, PARAMETER_YAW), 50, 1e-12);
     tool_set(&tool, PARAMETER_PITCH, 1);
     assert_non_null(strstr(tool.notice, "written again"));
+    assert_string_equal(tool.standing, "");
+    assert_true(tool_key(&tool, GLFW_KEY_H, 0));
+    assert_true(tool_key(&tool, GLFW_KEY_ESCAPE, 0));
+    assert_non_null(strstr(tool.notice, "the journal keeps them"));
     assert_int_equal(system("cp rig.cfg.journal copy.cfg.journal"), 0);
     open_same(&other);
     free(other.rig_path);
@@ -284,6 +316,30 @@ static void on_a_full_disk_the_tool_works_on_and_catches_up(void **state)
     assert_int_equal(open_journal(&other, message), JOURNAL_RESTORED);
     check_same(&tool, &other);
     forget(&other);
+    forget(&tool);
+}
+
+static void without_a_key_it_catches_up_when_there_is_room(void **state)
+{
+    struct rlimit before, small;
+    struct tool tool;
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    unlink("rig.cfg.journal");
+    open_same(&tool);
+    assert_int_equal(open_journal(&tool, message), JOURNAL_NEW);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    small = before;
+    small.rlim_cur = 1;
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+    tool_set(&tool, PARAMETER_YAW, 1);
+    assert_true(tool.standing[0]);
+    assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
+    tool.time_s += 5;
+    tool_idle(&tool);
+    assert_string_equal(tool.standing, "");
+    assert_non_null(strstr(tool.notice, "written again"));
     forget(&tool);
 }
 
@@ -325,6 +381,7 @@ int main(void)
         cmocka_unit_test(of_another_projector_it_is_refused_and_stays),
         cmocka_unit_test(what_is_no_plain_file_is_left_alone),
         cmocka_unit_test(on_a_full_disk_the_tool_works_on_and_catches_up),
+        cmocka_unit_test(without_a_key_it_catches_up_when_there_is_room),
         cmocka_unit_test(saved_and_ended_it_is_gone_unsaved_it_stays),
     };
     return cmocka_run_group_tests(tests, enter_folder, NULL);
