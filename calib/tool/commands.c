@@ -88,14 +88,6 @@ static void step(struct tool *tool, int argument)
         next_mark(tool, sign);
         return;
     }
-    if (parameter >= PARAMETER_K1 && parameter <= PARAMETER_K7 &&
-        tool->rig.outputs[tool->output].lens.model != CUPOLA_LENS_POLYNOMIAL) {
-        snprintf(tool->warning, MESSAGE_SIZE,
-                 "%s: the lens is %s; allowed: coefficients of a polynomial one (L: next lens)",
-                 parameter_name((int)parameter),
-                 cupola_lens_model_name(tool->rig.outputs[tool->output].lens.model));
-        return;
-    }
     value =
         parameter_get(tool, parameter) + sign * tool->step_scale * parameter_step(tool, parameter);
     tool_set(tool, parameter, within_image(tool, parameter, value));

@@ -220,18 +220,43 @@ static bool check_alone(const struct tool *tool, enum parameter parameter, doubl
     return check_own(tool, parameter, raw, value, message);
 }
 
+/* Coefficients of a lens that has none would change nothing, and no rig file takes them. */
+static bool check_used(const struct tool *tool, enum parameter parameter, char *message)
+{
+    enum cupola_lens_model model = tool->rig.outputs[tool->output].lens.model;
+
+    if (parameter < PARAMETER_K1 || parameter > PARAMETER_K7 || model == CUPOLA_LENS_POLYNOMIAL)
+        return true;
+    snprintf(message, MESSAGE_SIZE,
+             "%s: the lens is %s; allowed: coefficients of a polynomial one (L: next lens)",
+             infos[parameter].name, cupola_lens_model_name((int)model));
+    return false;
+}
+
+/* A polynomial without coefficients is none: it begins with the plainest. */
+static void begin_polynomial(struct cupola_lens *lens)
+{
+    if (lens->model == CUPOLA_LENS_POLYNOMIAL && lens->k[0] == 0 && lens->k[1] == 0 &&
+        lens->k[2] == 0 && lens->k[3] == 0)
+        lens->k[0] = 1;
+}
+
 bool parameter_set(struct tool *tool, enum parameter parameter, double value)
 {
     double raw = infos[parameter].unit == UNIT_DEG ? to_rad(value) : value;
-    double old = raw_get(tool, parameter);
+    struct values before;
     struct cupola_error error = {0};
 
-    if (!check_alone(tool, parameter, raw, value, tool->warning))
+    if (!check_alone(tool, parameter, raw, value, tool->warning) ||
+        !check_used(tool, parameter, tool->warning))
         return false;
+    values_take(tool, &before);
     raw_set(tool, parameter, raw);
+    if (parameter == PARAMETER_LENS)
+        begin_polynomial(&tool->rig.outputs[tool->output].lens);
     if (parameter >= PARAMETER_RIG_COUNT || cupola_rig_complete(&tool->rig, NULL, &error) >= 0)
         return true;
-    raw_set(tool, parameter, old);
+    values_put(tool, &before);
     snprintf(tool->warning, MESSAGE_SIZE, "%s", error.message);
     return false;
 }

@@ -97,6 +97,9 @@ static void lines_do_what_a_user_would(void **state)
     check_plays("set lens hemispheric\nexpect lens hemispheric\nrefuse fov_deg 181\n"
                 "expect warning containing 180\nset fov_deg 120\nexpect warning none\n"
                 "expect fov_deg 125 within 5\nset flip 3\nexpect flip 3\n");
+    check_plays("set lens polynomial\nexpect k1 1\nexpect undo 1\nset k3 -0.01\nset lens angular\n"
+                "refuse k1 2\nexpect warning containing \"the lens is angular\"\nexpect undo 3\n"
+                "set lens polynomial\nexpect k3 -0.01\n");
     check_plays("key Escape\nexpect ends yes\n");
     check_plays("key X\nkey Escape\nexpect ends no\nkey Escape\nexpect ends yes\n");
     check_plays("set yaw_deg 5\nsave\nexpect unsaved no\nexpect notice containing rig.cfg\n"
@@ -130,6 +133,8 @@ static void what_fails_is_named_with_its_place(void **state)
     check_fails("expect notice is", "allowed: none, or containing");
     check_fails("set fov_deg 500", "set fov_deg 500 is refused: ");
     check_fails("refuse fov_deg 50", "it was taken");
+    check_fails("set k1 5",
+                "set k1 5 is refused: k1: the lens is angular; allowed: coefficients of a poly");
     check_fails("eye 0 5 0", "eye 0 5 0 is refused: ");
     check_fails("picture x.bmp", "picture: 'x.bmp' is not allowed; allowed: FILE.png or FILE.pfm");
     check_fails("dome x.bmp", "dome: 'x.bmp'");
