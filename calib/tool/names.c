@@ -19,6 +19,17 @@ const char *tool_group_name(enum group group)
     return names[group];
 }
 
+const char *tool_group_word(int group)
+{
+    static const char *const words[GROUP_COUNT] = {
+        [GROUP_CIRCLE] = "circle", [GROUP_LENS] = "lens",     [GROUP_POSITION] = "position",
+        [GROUP_AIM] = "aim",       [GROUP_SCREEN] = "screen", [GROUP_VIEWER] = "viewer",
+        [GROUP_DOT] = "dot",       [GROUP_MARKS] = "marks",
+    };
+
+    return group >= 0 && group < GROUP_COUNT ? words[group] : NULL;
+}
+
 const char *tool_pattern_name(int pattern)
 {
     static const char *const names[PATTERN_COUNT] = {

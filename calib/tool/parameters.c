@@ -214,7 +214,7 @@ static bool check_alone(const struct tool *tool, enum parameter parameter, doubl
     if (infos[parameter].above_zero && !(raw > 0))
         return refuse(message, name, value, "a number above 0");
     if (parameter == PARAMETER_FLIP && !(raw >= 0 && raw <= 3 && raw == floor(raw)))
-        return refuse(message, name, value, "0 (none), 1 (x), 2 (y), 3 (x and y)");
+        return refuse(message, name, value, "none, x, y, xy");
     if (parameter == PARAMETER_LENS && !(raw >= 0 && raw <= CUPOLA_LENS_TABLE && raw == floor(raw)))
         return refuse(message, name, value, "a lens that exists");
     return check_own(tool, parameter, raw, value, message);
@@ -261,20 +261,31 @@ bool parameter_set(struct tool *tool, enum parameter parameter, double value)
     return false;
 }
 
+static const char *flip_name(int flip)
+{
+    static const char *const names[] = {"none", "x", "y", "xy"};
+
+    return flip >= 0 && flip < 4 ? names[flip] : NULL;
+}
+
+const char *parameter_word(enum parameter parameter, int value)
+{
+    return parameter == PARAMETER_LENS   ? cupola_lens_model_name(value)
+           : parameter == PARAMETER_FLIP ? flip_name(value)
+                                         : NULL;
+}
+
 void parameter_text(const struct tool *tool, enum parameter parameter, char *text, size_t size)
 {
     static const char *const units[] = {"", " px", " degrees", " m", ""};
-    static const char *const flips[] = {"none", "x", "y", "x and y"};
     const struct parameter_info *info = &infos[parameter];
     double value = parameter_get(tool, parameter);
     char mark[MARK_NAME_MAX + 1] = "";
 
     if (parameter == PARAMETER_MARK && tool->marks.count > 0)
         marks_walk_label(tool, tool->mark, mark);
-    if (parameter == PARAMETER_LENS)
-        snprintf(text, size, "%s", cupola_lens_model_name((int)value));
-    else if (parameter == PARAMETER_FLIP)
-        snprintf(text, size, "%s", flips[(int)value & 3]);
+    if (parameter_word(parameter, (int)value))
+        snprintf(text, size, "%s", parameter_word(parameter, (int)value));
     else if (parameter == PARAMETER_MARK && tool->marks.count > 0)
         snprintf(text, size, "%d of %d: %s", tool->mark + 1, tool->marks.count, mark);
     else /* + 0 makes 0 of -0 */
@@ -302,17 +313,20 @@ void parameter_label(enum parameter parameter, char *text, size_t size)
 
 bool parameter_parse(enum parameter parameter, const char *text, double *value, char *message)
 {
-    int model = parameter == PARAMETER_LENS ? cupola_lens_model_find(text) : -1;
+    const struct value_context context = {infos[parameter].name, message};
+    bool is_lens = parameter == PARAMETER_LENS;
+    int word;
 
-    if (model >= 0) {
-        *value = model;
+    if (!is_lens && parse_number(text, value))
+        return true;
+    if (is_lens || parameter == PARAMETER_FLIP) {
+        if (!value_name(&context, text, is_lens ? cupola_lens_model_name : flip_name, &word))
+            return false;
+        *value = word;
         return true;
     }
-    if (parameter != PARAMETER_LENS && parse_number(text, value))
-        return true;
-    snprintf(message, MESSAGE_SIZE, "%s: '%.200s' is not allowed; allowed: %s",
-             infos[parameter].name, text,
-             parameter == PARAMETER_LENS ? "the name of a lens" : "a number");
+    snprintf(message, MESSAGE_SIZE, "%s: '%.200s' is not allowed; allowed: a number",
+             infos[parameter].name, text);
     return false;
 }
 

@@ -16,8 +16,8 @@ enum parameter {
     PARAMETER_CIRCLE_X,
     PARAMETER_CIRCLE_Y,
     PARAMETER_CIRCLE_RADIUS,
-    PARAMETER_FLIP, /* 0 to 3, of enum cupola_flip */
-    PARAMETER_LENS, /* of enum cupola_lens_model; a name in scripts */
+    PARAMETER_FLIP, /* 0 to 3, of enum cupola_flip; a word in scripts */
+    PARAMETER_LENS, /* of enum cupola_lens_model; a word in scripts */
     PARAMETER_FOV,
     PARAMETER_K1,
     PARAMETER_K3,
@@ -74,9 +74,12 @@ void parameter_text(const struct tool *tool, enum parameter parameter, char *tex
 /* "yaw": the name without its unit, with spaces for the eye. */
 void parameter_label(enum parameter parameter, char *text, size_t size);
 
+/* The words of a value that has some, as rig files have them: "angular", "xy"; NULL beyond. */
+const char *parameter_word(enum parameter parameter, int value);
+
 /*
- * What scripts write behind a name: a number, or the name of a lens. False where it is neither,
- * with one line in `message`, MESSAGE_SIZE bytes.
+ * What scripts write behind a name: a number, or a word of a lens or a flip. False where it is
+ * neither, with one line in `message`, MESSAGE_SIZE bytes, that names all there are.
  */
 bool parameter_parse(enum parameter parameter, const char *text, double *value, char *message);
 

@@ -8,31 +8,59 @@
 #include "tool/history.h"
 #include "tool/marks_walk.h"
 
-/* What stands behind a name that is a word. */
-static const char *word_of(const struct tool *tool, const char *name)
+static const char *answer_name(int answer)
 {
-    static const char *const answers[] = {"no", "yes"};
-    const struct {
-        const char *name, *word;
-    } words[] = {
-        {"pattern", tool_pattern_name((int)tool->pattern)},
-        {"group", tool_group_name(tool->group)},
-        {"about", tool_about_name((int)tool->about)},
-        {"preview", tool_preview_name((int)tool->preview)},
-        {"unsaved", answers[tool->unsaved]},
-        {"before", answers[tool->shows_before]},
-        {"help", answers[tool->shows_help]},
-        {"legend", answers[tool->shows_legend]},
-        {"labels", answers[tool->shows_labels]},
-        {"text_on_dome", answers[tool->text_on_dome]},
-        {"wants_picture", answers[tool->wants_picture]},
-        {"ends", answers[tool->ends]},
+    return answer == 0 ? "no" : answer == 1 ? "yes" : NULL;
+}
+
+/* What stands behind a name that is a word, and all the words that it may be. */
+struct word {
+    const char *name;
+    int there;
+    const char *(*name_of)(int index);
+};
+
+static bool word_of(const struct tool *tool, const char *name, struct word *word)
+{
+    const struct word words[] = {
+        {"pattern", (int)tool->pattern, tool_pattern_name},
+        {"group", (int)tool->group, tool_group_word},
+        {"about", (int)tool->about, tool_about_name},
+        {"preview", (int)tool->preview, tool_preview_name},
+        {"unsaved", tool->unsaved, answer_name},
+        {"before", tool->shows_before, answer_name},
+        {"help", tool->shows_help, answer_name},
+        {"legend", tool->shows_legend, answer_name},
+        {"labels", tool->shows_labels, answer_name},
+        {"text_on_dome", tool->text_on_dome, answer_name},
+        {"wants_picture", tool->wants_picture, answer_name},
+        {"ends", tool->ends, answer_name},
     };
 
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (strcmp(words[i].name, name) == 0)
-            return words[i].word;
-    return NULL;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        *word = words[i];
+        if (strcmp(word->name, name) == 0)
+            return true;
+    }
+    return false;
+}
+
+static bool expect_word(const struct tool *tool, const struct word *word, const char *text,
+                        char *message)
+{
+    const struct value_context context = {word->name, message};
+    int expected;
+
+    /* As the legend has it. */
+    if (word->name_of == tool_group_word && strcmp(tool_group_name(tool->group), text) == 0)
+        return true;
+    if (!value_name(&context, text, word->name_of, &expected))
+        return false;
+    if (expected == word->there)
+        return true;
+    snprintf(message, MESSAGE_SIZE, "expected %s %s; there is %s", word->name, text,
+             word->name_of(word->there));
+    return false;
 }
 
 /* What stands behind a name that is a count. */
@@ -93,29 +121,29 @@ static bool expect_parameter(const struct tool *tool, enum parameter parameter, 
         snprintf(message, MESSAGE_SIZE, "within '%.200s'; allowed: a number from 0", words[3]);
         return false;
     }
-    if (parameter != PARAMETER_LENS)
+    if (!parameter_word(parameter, 0))
         return expect_number(words[0], there, expected, tolerance, message);
     if (there == expected)
         return true;
-    snprintf(message, MESSAGE_SIZE, "expected lens %s; there is %s", words[1],
-             cupola_lens_model_name((int)there));
+    snprintf(message, MESSAGE_SIZE, "expected %s %s; there is %s", words[0], words[1],
+             parameter_word(parameter, (int)there));
     return false;
 }
 
 static bool expect_other(const struct tool *tool, char *const *words, char *message)
 {
-    const char *there = word_of(tool, words[0]);
     double count, expected;
+    struct word word;
 
-    if (there) {
-        if (strcmp(there, words[1]) == 0)
-            return true;
-        snprintf(message, MESSAGE_SIZE, "expected %s %.200s; there is %s", words[0], words[1],
-                 there);
-        return false;
-    }
+    if (word_of(tool, words[0], &word))
+        return expect_word(tool, &word, words[1], message);
     if (!count_of(tool, words[0], &count)) {
-        snprintf(message, MESSAGE_SIZE, "'%.200s' is nothing that can be expected", words[0]);
+        snprintf(
+            message, MESSAGE_SIZE,
+            "expect: '%.200s' is not allowed; allowed: a value (cupola-calib --help), warning, "
+            "notice, pattern, group, about, preview, marks, marks_steered, undo, redo, "
+            "unsaved, before, help, legend, labels, text_on_dome, wants_picture, ends",
+            words[0]);
         return false;
     }
     if (!parse_number(words[1], &expected)) {

@@ -136,6 +136,8 @@ bool tool_group_parameter(const struct tool *tool, int which, enum parameter *pa
 
 /* "projector position", "image circle". */
 const char *tool_group_name(enum group group);
+/* "position", "circle", as scripts have it; NULL beyond the last. */
+const char *tool_group_word(int group);
 /* "grid", as scripts and --pattern have it; NULL beyond the last. */
 const char *tool_pattern_name(int pattern);
 /* "dome", "viewer"; "none", "eye", "outside"; NULL beyond the last. */

@@ -62,6 +62,16 @@ static void print_names(const char *(*name_of)(int index))
     fputs(list, stdout);
 }
 
+static void print_words(enum parameter parameter)
+{
+    const char *word;
+
+    printf("  %s is", parameter_name((int)parameter));
+    for (int i = 0; (word = parameter_word(parameter, i)); i++)
+        printf("%s %s", i > 0 ? "," : "", word);
+    putchar('\n');
+}
+
 /* Wraps: there are many. */
 static void print_values(void)
 {
@@ -77,6 +87,8 @@ static void print_values(void)
         column += printf("%s%s", column ? ", " : "  ", parameter_name(i));
     }
     putchar('\n');
+    print_words(PARAMETER_FLIP);
+    print_words(PARAMETER_LENS);
 }
 
 void tool_options_help(void)

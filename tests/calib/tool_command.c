@@ -39,6 +39,7 @@ static void help_names_every_key_and_value(void **state)
         assert_non_null(strstr(output, line.help));
     for (int i = 0; parameter_name(i); i++)
         assert_non_null(strstr(output, parameter_name(i)));
+    assert_non_null(strstr(output, "\n  flip is none, x, y, xy\n  lens is angular, "));
     check_run("\"$C\" -h", 0, "Usage: ");
     check_run("\"$C\" --version", 0, "cupola-calib ");
 }

@@ -114,7 +114,7 @@ static const struct {
     {PARAMETER_CAP, 181, "180"},
     {PARAMETER_LENS, CUPOLA_LENS_TABLE, "samples"},
     {PARAMETER_LENS, 17, "a lens that exists"},
-    {PARAMETER_FLIP, 1.5, "0 (none)"},
+    {PARAMETER_FLIP, 1.5, "none, x, y, xy"},
     {PARAMETER_YAW, 361, "360"},
     {PARAMETER_YAW, (double)NAN, "finite"},
     {PARAMETER_DOT_SIZE, 91, "90"},

@@ -100,6 +100,10 @@ static void lines_do_what_a_user_would(void **state)
     check_plays("set lens polynomial\nexpect k1 1\nexpect undo 1\nset k3 -0.01\nset lens angular\n"
                 "refuse k1 2\nexpect warning containing \"the lens is angular\"\nexpect undo 3\n"
                 "set lens polynomial\nexpect k3 -0.01\n");
+    check_plays(
+        "set flip xy\nexpect flip 3\nset flip x\nexpect flip x\nset flip 0\nexpect flip none\n"
+        "key Y\nexpect flip y\nkey A\nexpect group aim\nexpect group \"projector aim\"\n"
+        "key C\nexpect group circle\nkey T\nexpect group position\n");
     check_plays("key Escape\nexpect ends yes\n");
     check_plays("key X\nkey Escape\nexpect ends no\nkey Escape\nexpect ends yes\n");
     check_plays("set yaw_deg 5\nsave\nexpect unsaved no\nexpect notice containing rig.cfg\n"
@@ -133,6 +137,16 @@ static void what_fails_is_named_with_its_place(void **state)
     check_fails("expect notice is", "allowed: none, or containing");
     check_fails("set fov_deg 500", "set fov_deg 500 is refused: ");
     check_fails("refuse fov_deg 50", "it was taken");
+    check_fails("set flip q", "flip: 'q' is not allowed; allowed: none, x, y, xy");
+    check_fails("set flip 4", "flip: 4 is not allowed; allowed: none, x, y, xy");
+    check_fails("expect flip xy", "expected flip xy; there is none");
+    check_fails("set lens foo", "'foo' is not allowed; allowed: angular, hemispheric, equisolid");
+    check_fails("expect group aims",
+                "allowed: circle, lens, position, aim, screen, viewer, dot, marks");
+    check_fails("expect group aim", "expected group aim; there is circle");
+    check_fails("expect pattern dots", "allowed: grid, meridians");
+    check_fails("expect unsaved maybe", "unsaved: 'maybe' is not allowed; allowed: no, yes");
+    check_fails("expect saved yes", "notice, pattern, group, about");
     check_fails("set k1 5",
                 "set k1 5 is refused: k1: the lens is angular; allowed: coefficients of a poly");
     check_fails("eye 0 5 0", "eye 0 5 0 is refused: ");
