@@ -137,11 +137,27 @@ static void tell_unsaved(const struct tool *tool)
                 short_path(path).text, strerror(errno));
 }
 
+/* What really stands there has the projector that is set up. */
+static int read_theatre(const struct tool_options *options, struct cupola_rig *theatre,
+                        char *message)
+{
+    int status = read_rig(options->theatre, theatre, message);
+
+    if (status != STATUS_OK || options->projector < theatre->output_count)
+        return status;
+    snprintf(message, MESSAGE_SIZE,
+             "--projector: %d is not in --theatre %s, which has %d projector%s;"
+             " allowed: 0 to %d",
+             options->projector, short_path(options->theatre).text, theatre->output_count,
+             theatre->output_count == 1 ? "" : "s", theatre->output_count - 1);
+    return STATUS_USAGE;
+}
+
 /* Journal, then what the command line says over it. */
 static int begin(const struct tool_options *options, struct tool *tool, char *message)
 {
     struct cupola_rig theatre;
-    int status = options->theatre ? read_rig(options->theatre, &theatre, message) : STATUS_OK;
+    int status = options->theatre ? read_theatre(options, &theatre, message) : STATUS_OK;
 
     if (status != STATUS_OK)
         return status;

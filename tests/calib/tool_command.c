@@ -168,6 +168,18 @@ static void what_is_changed_in_place_may_be(void **state)
         0, "");
 }
 
+static void a_theatre_without_the_projector_is_refused(void **state)
+{
+    (void)state;
+    check_run("echo 'outputs = ({ size_px = [64, 48]; });' >one.cfg;"
+              "echo 'outputs = ({ size_px = [64, 48]; }, { size_px = [80, 48]; });' >two.cfg;"
+              "\"$C\" two.cfg --projector 1 --theatre one.cfg --script - </dev/null",
+              2,
+              "--projector: 1 is not in --theatre one.cfg, which has 1 projector; allowed: 0 to 0");
+    check_run("\"$C\" one.cfg --theatre two.cfg --script - </dev/null", 0, "");
+    check_run("\"$C\" two.cfg --projector 1 --theatre two.cfg --script - </dev/null", 0, "");
+}
+
 static void missing_files_are_failures(void **state)
 {
     (void)state;
@@ -304,6 +316,7 @@ int main(void)
         cmocka_unit_test(no_line_of_a_script_writes_over_another_file),
         cmocka_unit_test(what_is_changed_in_place_may_be),
         cmocka_unit_test(missing_files_are_failures),
+        cmocka_unit_test(a_theatre_without_the_projector_is_refused),
         cmocka_unit_test(a_session_as_a_script),
         cmocka_unit_test(a_script_keeps_a_journal_only_if_asked),
         cmocka_unit_test(two_programs_cannot_share_a_rig),
