@@ -48,13 +48,20 @@ static void note_written(struct tool *tool, bool written)
     journal->failing = !written;
 }
 
+/* What is missing a word would restore something else: nothing comes after it, either. */
+static bool write_line(struct journal *journal, const struct journal_text *text)
+{
+    char line[JOURNAL_TEXT_MAX + 64];
+
+    if (text->full)
+        journal_file_give_up(&journal->file, ENAMETOOLONG);
+    return journal_file_append(&journal->file, line,
+                               journal_line_print(line, ++journal->lines, text));
+}
+
 static void append(struct tool *tool, const struct journal_text *text)
 {
-    struct journal *journal = tool->journal;
-    char line[JOURNAL_TEXT_MAX + 64];
-    size_t length = journal_line_print(line, ++journal->lines, text);
-
-    note_written(tool, journal_file_append(&journal->file, line, length));
+    note_written(tool, write_line(tool->journal, text));
 }
 
 static void write_start(struct tool *tool)

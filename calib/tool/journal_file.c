@@ -157,6 +157,12 @@ static size_t write_all(int fd, const char *bytes, size_t size)
     return done;
 }
 
+void journal_file_give_up(struct journal_file *file, int problem)
+{
+    if (file->given_up == 0)
+        file->given_up = problem;
+}
+
 /* Behind what already waits. What does not fit is lost, and with it all that follows. */
 static void keep(struct journal_file *file, const char *bytes, size_t size)
 {
@@ -170,8 +176,7 @@ static void keep(struct journal_file *file, const char *bytes, size_t size)
         file->pending = more;
         file->pending_size += size;
     } else {
-        close(file->fd);
-        file->fd = -1;
+        journal_file_give_up(file, ENOSPC);
     }
     errno = problem;
 }
@@ -180,8 +185,8 @@ bool journal_file_flush(struct journal_file *file)
 {
     size_t done;
 
-    if (file->fd < 0) {
-        errno = ENOSPC;
+    if (file->given_up) {
+        errno = file->given_up;
         return false;
     }
     if (file->pending_size > 0) {
@@ -198,7 +203,7 @@ bool journal_file_append(struct journal_file *file, const char *bytes, size_t si
     bool flushed = journal_file_flush(file);
     size_t done;
 
-    if (file->fd < 0)
+    if (file->given_up)
         return false;
     done = flushed ? write_all(file->fd, bytes, size) : 0;
     file->dirty = true;

@@ -10,8 +10,9 @@ struct journal_file {
     char *path;
     char *pending; /* what a full disk did not take yet */
     size_t pending_size;
-    bool dirty; /* not yet brought to the disk */
-    bool named; /* its name is on the disk */
+    int given_up; /* errno: nothing more is taken; 0: it is */
+    bool dirty;   /* not yet brought to the disk */
+    bool named;   /* its name is on the disk */
 };
 
 enum journal_file_opened {
@@ -39,6 +40,9 @@ bool journal_file_cut(struct journal_file *file, size_t size);
  * whatever comes next.
  */
 bool journal_file_append(struct journal_file *file, const char *bytes, size_t size);
+
+/* Takes nothing more: what comes next fails with that errno. */
+void journal_file_give_up(struct journal_file *file, int problem);
 
 /* Tries once more to write what waits; whether nothing is missing in the file. */
 bool journal_file_flush(struct journal_file *file);

@@ -5,9 +5,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { JOURNAL_TEXT_MAX = 4096 /* bytes of a line's text with its 0 */ };
+/*
+ * Bytes of a line's text with its 0: there is room for the longest path that a system takes, were
+ * each byte of it written as three.
+ */
+enum { JOURNAL_TEXT_MAX = 3 * 4096 + 64 };
 
-/* A text that grows by words. What does not fit makes it `full`. */
+/* A text that grows by words. What does not fit makes it `full`, and no line. */
 struct journal_text {
     char text[JOURNAL_TEXT_MAX];
     size_t length;
