@@ -207,6 +207,7 @@ static bool is_beginning(const struct playing *playing, const char *bytes, size_
 static void take_over(struct playing *playing, struct tool *tool)
 {
     struct journal *journal = tool->journal;
+    struct tool_files files = tool->files;
     double time_s = tool->time_s;
 
     tool->journal = NULL;
@@ -214,6 +215,7 @@ static void take_over(struct playing *playing, struct tool *tool)
     tool_close(tool);
     *tool = playing->trial;
     tool->journal = journal;
+    tool->files = files;
     tool->time_s = time_s;
     tool->shows_before = false;
     playing->opened = false;

@@ -156,6 +156,17 @@ static void no_line_of_a_script_writes_over_another_file(void **state)
     }
 }
 
+static void nor_after_a_journal_has_restored_it(void **state)
+{
+    (void)state;
+    make_files();
+    check_run("cp r.cfg t.cfg; for line in 'key X' 'save t.cfg'; do echo \"$line\" | "
+              "\"$C\" r.cfg --theatre t.cfg --output o.cfg --script - --journal; done; "
+              "cmp r.cfg t.cfg && false",
+              1, "standard input:1: --theatre and save are the same file");
+    assert_non_null(strstr(output, "restored from o.cfg.journal"));
+}
+
 static void what_is_changed_in_place_may_be(void **state)
 {
     (void)state;
@@ -314,6 +325,7 @@ int main(void)
         cmocka_unit_test(wrong_options_are_refused_in_one_line),
         cmocka_unit_test(no_file_is_written_over_another),
         cmocka_unit_test(no_line_of_a_script_writes_over_another_file),
+        cmocka_unit_test(nor_after_a_journal_has_restored_it),
         cmocka_unit_test(what_is_changed_in_place_may_be),
         cmocka_unit_test(missing_files_are_failures),
         cmocka_unit_test(a_theatre_without_the_projector_is_refused),
