@@ -14,6 +14,8 @@ static const double most_disagreement = 0.5;
 /* A sine that is of another picture counts as noise of a third of the contrast. */
 static const double most_noise = 0.15, much_noise = 0.05;
 static const double many_lost = 0.25;
+/* From so many borders on that agree so well with each other they tell where the sines begin. */
+static const double least_borders = 16, least_agreement = 0.5;
 
 void code_check_begin_pair(struct code_check *check)
 {
@@ -23,6 +25,19 @@ void code_check_begin_pair(struct code_check *check)
 void code_check_begin_axis(struct code_check *check)
 {
     check->contrast_square = check->variance = check->tested = check->off = 0;
+    check->border[0] = check->border[1] = check->borders = 0;
+}
+
+void code_check_add_border(struct code_check *check, unsigned int border, double cosine,
+                           double sine)
+{
+    double length = hypot(cosine, sine) * (border % 2 ? -1 : 1); /* stripes are half periods */
+
+    if (!(fabs(length) > 0))
+        return;
+    check->border[0] += cosine / length;
+    check->border[1] += sine / length;
+    check->borders++;
 }
 
 bool code_check_pair(const struct code_check *check, const char *code, const char *inverse,
@@ -39,7 +54,30 @@ bool code_check_pair(const struct code_check *check, const char *code, const cha
     return false;
 }
 
-bool code_check_axis(struct code_check *check, int axis, char *message)
+/*
+ * Sines in an order that is turned round or begins elsewhere are sines, too, and may even agree
+ * with the stripes, each of them mirrored in itself. At the stripes' borders their phase tells: a
+ * wrong one is off by a step at least.
+ */
+static bool check_borders(const struct code_check *check, int axis, int steps, char *message)
+{
+    const double degrees = 180 / 3.14159265358979323846, least_allowed = 20;
+    double allowed = fmax(180.0 / steps, least_allowed);
+    double off = degrees * fabs(atan2(check->border[1], check->border[0]));
+
+    if (check->borders < least_borders ||
+        hypot(check->border[0], check->border[1]) < least_agreement * check->borders ||
+        off <= allowed)
+        return true;
+    snprintf(message, MESSAGE_SIZE,
+             "the sines of %c do not lie as their stripes do: their phase is off by %.0f degrees; "
+             "allowed: up to %.0f; look at the order of these photographs, two sines may be "
+             "exchanged",
+             axis ? 'y' : 'x', off, allowed);
+    return false;
+}
+
+bool code_check_axis(struct code_check *check, int axis, int steps, char *message)
 {
     double noise = sqrt(fmax(check->variance, 0) / fmax(check->contrast_square, 1e-30));
 
@@ -53,7 +91,7 @@ bool code_check_axis(struct code_check *check, int axis, char *message)
         return false;
     }
     if (check->off <= most_disagreement * check->tested)
-        return true;
+        return check_borders(check, axis, steps, message);
     snprintf(message, MESSAGE_SIZE,
              "stripes and sines of %c disagree at %.0f %% of what is lit; allowed: up to %.0f %%; "
              "look at the order of these photographs, a picture and its inverse may be exchanged",

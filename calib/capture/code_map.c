@@ -180,6 +180,45 @@ static void add_to_check(struct code_check *check, double contrast, double varia
     check->off += clear && off > surely_off;
 }
 
+/* Whether the bits of a pixel and its sine are to be trusted. */
+static bool is_clear(const struct reading *reading, size_t i)
+{
+    double contrast = (double)reading->white.light[i] - (double)reading->black.light[i];
+    double amplitude =
+        2 * hypot(reading->sums[2][i], reading->sums[3][i]) / reading->settings->series->steps;
+
+    return reading->faint[i] <= 1 && amplitude >= weak_sine * 0.5 * contrast;
+}
+
+/* Two neighbours: where their codes differ by one a border of the stripes is between them. */
+static void add_border(struct reading *reading, size_t i, size_t other)
+{
+    struct code_map *map = reading->map;
+    unsigned int code = series_from_gray(reading->code[i]);
+    unsigned int next = series_from_gray(reading->code[other]);
+    double length = hypot(reading->sums[2][i], reading->sums[3][i]);
+    double other_length = hypot(reading->sums[2][other], reading->sums[3][other]);
+
+    if ((code + 1 != next && next + 1 != code) || map->state[i] != CODE_DECODED ||
+        map->state[other] != CODE_DECODED || !is_clear(reading, i) || !is_clear(reading, other))
+        return;
+    code_check_add_border(&map->check, code > next ? code : next,
+                          reading->sums[2][i] / length + reading->sums[2][other] / other_length,
+                          reading->sums[3][i] / length + reading->sums[3][other] / other_length);
+}
+
+static void add_borders(struct reading *reading)
+{
+    size_t width = (size_t)reading->map->width, count = pixel_count(reading->map);
+
+    for (size_t i = 0; i < count; i++) {
+        if (i % width + 1 < width)
+            add_border(reading, i, i + 1);
+        if (i + width < count)
+            add_border(reading, i, i + width);
+    }
+}
+
 /* One that has had a place so far. */
 static void finish_pixel(struct reading *reading, int axis, size_t i)
 {
@@ -189,15 +228,14 @@ static void finish_pixel(struct reading *reading, int axis, size_t i)
     double mean = reading->sums[0][i] / steps;
     double amplitude = 2 * hypot(reading->sums[2][i], reading->sums[3][i]) / steps;
     double contrast = (double)reading->white.light[i] - (double)reading->black.light[i];
+    bool clear = is_clear(reading, i);
     double squares =
         reading->sums[1][i] - steps * mean * mean - 0.5 * steps * amplitude * amplitude;
     double off, place = series_place(series, series_from_gray(reading->code[i]),
                                      atan2(reading->sums[3][i], reading->sums[2][i]), &off);
 
-    add_to_check(&map->check, contrast, squares / (steps - 3),
-                 reading->faint[i] <= 1 && amplitude >= weak_sine * 0.5 * contrast, off);
-    if (reading->faint[i] > 1 || !(amplitude >= weak_sine * 0.5 * contrast) || !(off <= most_off) ||
-        place < -1 || place > series->size_px[axis] + 1) {
+    add_to_check(&map->check, contrast, squares / (steps - 3), clear, off);
+    if (!clear || !(off <= most_off) || place < -1 || place > series->size_px[axis] + 1) {
         map->state[i] = CODE_UNSURE;
         return;
     }
@@ -230,11 +268,12 @@ static bool add(struct reading *reading, int number, const struct photo *photo, 
     if (picture.kind == SERIES_SINE)
         add_step(reading, photo, picture.index);
     if (picture.kind == SERIES_SINE && picture.index == series->steps - 1) {
+        add_borders(reading);
         for (size_t i = 0; i < pixel_count(reading->map); i++) {
             if (reading->map->state[i] == CODE_DECODED)
                 finish_pixel(reading, picture.axis, i);
         }
-        return code_check_axis(&reading->map->check, picture.axis, message);
+        return code_check_axis(&reading->map->check, picture.axis, series->steps, message);
     }
     return true;
 }

@@ -79,10 +79,13 @@ static int find_patches(struct decoding *decoding, char *message)
     if (!patches_find(&decoding->map, decoding->options->marks, &decoding->patches, message))
         return STATUS_FAILED;
     if (decoding->patches.count == 0) {
-        snprintf(message, MESSAGE_SIZE,
-                 "the photographs give no marks: of their pixels %s; for contrast expose longer, "
-                 "darken the room or give --contrast; where saturated, expose less",
-                 states);
+        snprintf(message, MESSAGE_SIZE, "the photographs give no marks: of their pixels %s; %s",
+                 states,
+                 decoding->patches.rough > 0
+                     ? "where they are decoded the places are not smooth; look at the order of the "
+                       "photographs, and take a longer --period"
+                     : "for contrast expose longer, darken the room or give --contrast; where "
+                       "saturated, expose less");
         return STATUS_FAILED;
     }
     printf("pixels: %s (%dx%d)\n", states, decoding->map.width, decoding->map.height);

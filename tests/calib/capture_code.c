@@ -1,5 +1,6 @@
 /* Structured light: what pictures hold, and what photographs of them say, against closed form. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "capture/code_map.h"
@@ -19,8 +20,9 @@ struct sight {
     const struct series *series;
     double scale, shift_px[2]; /* place = scale * pixel + shift */
     double ambient, lit, read, counted;
-    double fall;       /* of the light, from left to right, as a part of it */
-    int swapped_steps; /* the sines are shown the other way round */
+    double fall;        /* of the light, from left to right, as a part of it */
+    int first_step;     /* the sines begin with another one */
+    bool swapped_steps; /* and are shown the other way round */
     uint64_t state;
 };
 
@@ -45,7 +47,7 @@ static double sight_light(const struct series_picture *picture, int i, int j, vo
     double place = place_of(sight, picture->axis, picture->axis ? j : i), shown = 0;
     int bits = series_bits(sight->series, picture->axis);
     int stripe = (int)floor(place / (0.5 * sight->series->period_px));
-    int step = sight->swapped_steps ? -picture->index : picture->index;
+    int step = sight->first_step + (sight->swapped_steps ? -picture->index : picture->index);
 
     if (picture->kind == SERIES_WHITE)
         shown = 1;
@@ -186,10 +188,42 @@ static void test_every_pixel_comes_back_without_noise(void **state)
     code_map_free(&map);
 
     /* The control: sines that run the other way are seen. */
-    sight.swapped_steps = 1;
+    sight.swapped_steps = true;
     capture_write_photos("photos", &small, 440, 158, sight_light, &sight);
     assert_false(try_map("photos", &small, &map, message));
     assert_non_null(strstr(message, "stripes and sines of x disagree"));
+}
+
+/* Any order in which they are still sines; they may then even be where the stripes are. */
+static void test_sines_in_another_order_are_seen(void **state)
+{
+    static const int steps[] = {4, 5, 8, 16};
+
+    (void)state;
+    for (size_t s = 0; s < sizeof steps / sizeof *steps; s++) {
+        for (int order = 0; order < 2 * steps[s]; order++) {
+            char message[MESSAGE_SIZE];
+            struct series series = small;
+            struct sight sight = {.series = &series, .scale = 1.8, .shift_px = {0.9, 0.2}};
+            struct code_map map;
+            series.steps = steps[s];
+            sight.lit = 0.7;
+            sight.ambient = 0.05;
+            sight.read = 0.02;
+            sight.first_step = order / 2;
+            sight.swapped_steps = order % 2;
+            capture_write_photos("photos", &series, 110, 39, sight_light, &sight);
+            if (try_map("photos", &series, &map, message)) {
+                if (order > 0)
+                    fail_msg("sines begin with step %d of %d", order / 2, steps[s]);
+                code_map_free(&map);
+            } else {
+                assert_non_null(strstr(message, "ines of x d"));
+                assert_int_not_equal(order, 0);
+            }
+        }
+        assert_int_equal(system("rm -r photos"), 0);
+    }
 }
 
 /* The pictures as they are written, 8 bits of sRGB: photographed at less than full light. */
@@ -322,6 +356,8 @@ int main(void)
         cmocka_unit_test(test_pictures_are_what_a_camera_of_one_pixel_each_is_said_to_see),
         cmocka_unit_test(test_the_phase_puts_codes_at_borders_right),
         cmocka_unit_test_setup_teardown(test_every_pixel_comes_back_without_noise,
+                                        capture_enter_directory, capture_leave_directory),
+        cmocka_unit_test_setup_teardown(test_sines_in_another_order_are_seen,
                                         capture_enter_directory, capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_every_pixel_of_written_pictures_comes_back,
                                         capture_enter_directory, capture_leave_directory),
