@@ -71,6 +71,19 @@ static void warn(const struct code_map *map)
         fprintf(stderr, "cupola-calib capture decode: %s\n", text);
 }
 
+/* By whether light or what it shows is missing. */
+static const char *advice_without_marks(const struct code_map *map)
+{
+    const double least_lit = 0.05;
+    int lit = map->counts[CODE_DECODED] + map->counts[CODE_UNSURE] + map->counts[CODE_NOISY];
+
+    return lit > least_lit * map->width * map->height
+               ? "look at the order of the photographs and at their focus, and take a longer "
+                 "--period"
+               : "for contrast expose longer, darken the room or give --contrast; where saturated, "
+                 "expose less";
+}
+
 static int find_patches(struct decoding *decoding, char *message)
 {
     char states[300];
@@ -80,12 +93,7 @@ static int find_patches(struct decoding *decoding, char *message)
         return STATUS_FAILED;
     if (decoding->patches.count == 0) {
         snprintf(message, MESSAGE_SIZE, "the photographs give no marks: of their pixels %s; %s",
-                 states,
-                 decoding->patches.rough > 0
-                     ? "where they are decoded the places are not smooth; look at the order of the "
-                       "photographs, and take a longer --period"
-                     : "for contrast expose longer, darken the room or give --contrast; where "
-                       "saturated, expose less");
+                 states, advice_without_marks(&decoding->map));
         return STATUS_FAILED;
     }
     printf("pixels: %s (%dx%d)\n", states, decoding->map.width, decoding->map.height);

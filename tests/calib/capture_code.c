@@ -20,6 +20,7 @@ struct sight {
     const struct series *series;
     double scale, shift_px[2]; /* place = scale * pixel + shift */
     double ambient, lit, read, counted;
+    double faded;       /* part of the stripes' contrast that is lost, out of focus */
     double fall;        /* of the light, from left to right, as a part of it */
     int first_step;     /* the sines begin with another one */
     bool swapped_steps; /* and are shown the other way round */
@@ -55,7 +56,8 @@ static double sight_light(const struct series_picture *picture, int i, int j, vo
     if (picture->kind == SERIES_CODE || picture->kind == SERIES_INVERSE) {
         int b = bits - 1 - picture->index, within = stripe % (4 << b);
         bool bright = within >= 1 << b && within < 3 << b;
-        shown = bright == (picture->kind == SERIES_CODE);
+        shown =
+            bright == (picture->kind == SERIES_CODE) ? 1 - 0.5 * sight->faded : 0.5 * sight->faded;
     }
     if (picture->kind == SERIES_SINE)
         shown = 0.5 +
@@ -226,6 +228,24 @@ static void test_sines_in_another_order_are_seen(void **state)
     }
 }
 
+static void test_stripes_out_of_focus_are_not_called_dark(void **state)
+{
+    struct cupola_rig rig = {.outputs = {{.width_px = 200, .height_px = 72}}};
+    struct sight sight = {.series = &small, .scale = 1.8, .lit = 0.7, .faded = 0.9};
+    char message[MESSAGE_SIZE];
+
+    (void)state;
+    capture_write_rig("rig.cfg", &rig);
+    capture_write_photos("photos", &small, 110, 39, sight_light, &sight);
+    assert_int_equal(capture_run("decode --rig rig.cfg --camera rectilinear:60 --folder photos "
+                                 "--output marks.csv",
+                                 message),
+                     1);
+    assert_non_null(strstr(message, "100.0 % code unsure"));
+    assert_non_null(strstr(message, "order of the photographs and at their focus"));
+    assert_null(strstr(message, "darken"));
+}
+
 /* The pictures as they are written, 8 bits of sRGB: photographed at less than full light. */
 static void test_every_pixel_of_written_pictures_comes_back(void **state)
 {
@@ -358,6 +378,8 @@ int main(void)
         cmocka_unit_test_setup_teardown(test_every_pixel_comes_back_without_noise,
                                         capture_enter_directory, capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_sines_in_another_order_are_seen,
+                                        capture_enter_directory, capture_leave_directory),
+        cmocka_unit_test_setup_teardown(test_stripes_out_of_focus_are_not_called_dark,
                                         capture_enter_directory, capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_every_pixel_of_written_pictures_comes_back,
                                         capture_enter_directory, capture_leave_directory),
