@@ -34,7 +34,4 @@ __attribute__((format(printf, 3, 4)))
 #endif
 bool csv_line_refuse(const struct csv_line *line, char *message, const char *format, ...);
 
-/* UTF-8 without control characters. */
-bool csv_is_plain_text(const char *text);
-
 #endif

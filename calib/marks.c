@@ -9,6 +9,7 @@
 
 #include "csv_line.h"
 #include "option_values.h"
+#include "plain_text.h"
 #include "short_path.h"
 #include "whole_file.h"
 
@@ -107,7 +108,7 @@ static bool take_name(struct reading *reading, struct mark *mark)
     const char *text = reading->line.fields[reading->field_of[NAME]];
     size_t length = strlen(text);
 
-    if (length == 0 || length > MARK_NAME_MAX || !csv_is_plain_text(text))
+    if (length == 0 || length > MARK_NAME_MAX || !plain_text_is(text))
         return refuse(reading,
                       "name: '%.80s' is not allowed; allowed: 1 to %d bytes of UTF-8 without "
                       "control characters",

@@ -3,11 +3,12 @@
 
 #include <stdio.h>
 
+#include "plain_text.h"
+
 int complain(const char *command, int status, const char *message)
 {
     fprintf(stderr, "cupola-calib%s%s: ", *command ? " " : "", command);
-    for (const char *at = message; *at; at++)
-        fputc((unsigned char)*at < 0x20 ? '?' : *at, stderr);
+    plain_text_print(message, stderr);
     fputc('\n', stderr);
     return status;
 }

@@ -14,6 +14,7 @@
 #include "model_trial.h"
 #include "options.h"
 #include "output_file.h"
+#include "plain_text.h"
 #include "show.h"
 #include "still.h"
 #include "survey.h"
@@ -21,12 +22,11 @@
 #include "world.h"
 
 /* One line, whatever file names may hold. */
-static int complain(int status, char *message)
+static int complain(int status, const char *message)
 {
-    for (char *at = message; *at; at++)
-        if ((unsigned char)*at < 0x20)
-            *at = '?';
-    fprintf(stderr, "cupola-demo: %s\n", message);
+    fprintf(stderr, "cupola-demo: ");
+    plain_text_print(message, stderr);
+    fputc('\n', stderr);
     return status;
 }
 

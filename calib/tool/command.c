@@ -126,15 +126,15 @@ static void warn_of_others(const struct tool_options *options, struct tool *tool
 /* What was not saved, and where it is. */
 static void tell_unsaved(const struct tool *tool)
 {
-    const char *path = tool->journal ? journal_path(tool->journal) : NULL;
+    const char *path = tool->journal ? journal_path(tool->journal) : "";
+    char text[MESSAGE_SIZE] = "unsaved changes are lost";
 
-    if (!tool->journal)
-        fprintf(stderr, "cupola-calib: unsaved changes are lost\n");
-    else if (journal_is_whole(tool->journal))
-        fprintf(stderr, "cupola-calib: unsaved changes are kept in %s\n", short_path(path).text);
-    else
-        fprintf(stderr, "cupola-calib: unsaved changes are lost: %s cannot be written (%s)\n",
-                short_path(path).text, strerror(errno));
+    if (tool->journal && journal_is_whole(tool->journal))
+        snprintf(text, sizeof text, "unsaved changes are kept in %s", short_path(path).text);
+    else if (tool->journal)
+        snprintf(text, sizeof text, "unsaved changes are lost: %s cannot be written (%s)",
+                 short_path(path).text, strerror(errno));
+    complain("", STATUS_OK, text);
 }
 
 /* What really stands there has the projector that is set up. */

@@ -28,6 +28,12 @@ static enum script_next read_line(struct script_line *line, FILE *stream, char *
     return byte == EOF && length == 0 ? SCRIPT_END : SCRIPT_LINE;
 }
 
+static void skip_byte_order_mark(char *text)
+{
+    if (strncmp(text, "\xef\xbb\xbf", 3) == 0)
+        memmove(text, text + 3, strlen(text + 3) + 1);
+}
+
 /* Where a word ends; NULL without a closing quote. */
 static char *word_end(char *word)
 {
@@ -66,6 +72,8 @@ enum script_next script_line_next(struct script_line *line, FILE *stream, char *
         next = read_line(line, stream, message);
         if (next != SCRIPT_LINE)
             return next;
+        if (line->number == 1)
+            skip_byte_order_mark(line->text);
         if (!part(line, message))
             return SCRIPT_REFUSED;
     } while (line->count == 0);

@@ -221,6 +221,17 @@ static void a_session_as_a_script(void **state)
     check_run("\"$C\" s.cfg --headless --frames 2 --windowed 64x48", 0, "");
 }
 
+static void what_no_terminal_should_get_is_a_question_mark(void **state)
+{
+    (void)state;
+    check_run("printf 'set z\\377\\344\\033[2J\\302\\233\\177\\303\\274 1\\n' | \"$C\" --script -",
+              1, "set: 'z???[2J???\303\274' is not allowed");
+    check_run("\"$C\" --script \"$(printf 'x\\033\\200')\"", 1, "x?? cannot be read");
+    check_run("echo 'key X' | \"$C\" --script - --journal --output "
+              "\"$(printf 'x\\033')\"",
+              0, "kept in x?.journal");
+}
+
 static void a_script_keeps_a_journal_only_if_asked(void **state)
 {
     (void)state;
@@ -330,6 +341,7 @@ int main(void)
         cmocka_unit_test(missing_files_are_failures),
         cmocka_unit_test(a_theatre_without_the_projector_is_refused),
         cmocka_unit_test(a_session_as_a_script),
+        cmocka_unit_test(what_no_terminal_should_get_is_a_question_mark),
         cmocka_unit_test(a_script_keeps_a_journal_only_if_asked),
         cmocka_unit_test(two_programs_cannot_share_a_rig),
         cmocka_unit_test(killed_it_goes_on_where_it_was),

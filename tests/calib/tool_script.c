@@ -110,6 +110,9 @@ static void lines_do_what_a_user_would(void **state)
                 "save \"with blank.cfg\"\n");
     assert_int_equal(access("with blank.cfg", F_OK), 0);
     check_plays("");
+    check_plays("\xef\xbb\xbfset yaw_deg 1\nexpect yaw_deg 1\n");
+    check_plays("\xef\xbb\xbf");
+    check_plays("\xef\xbb\xbf# a comment\n");
 }
 
 static void what_draws_is_asked_for_in_order(void **state)
@@ -131,6 +134,7 @@ static void what_fails_is_named_with_its_place(void **state)
     check_fails("key A\n\nexpect yaw_deg 3\n", "a.script:3: expected yaw_deg 3");
     check_fails("set yaw_deg 2\nexpect yaw_deg 3 within 0.5", "there is 2");
     check_fails("expect lens polynomial", "expected lens polynomial; there is angular");
+    check_fails("set yaw_deg 1\n\xef\xbb\xbfset yaw_deg 1\n", "a.script:2: line: '");
     check_fails("expect pattern dot", "there is grid");
     check_fails("expect undo 4", "there is 0");
     check_fails("expect warning containing x", "there is none");
