@@ -17,7 +17,7 @@ struct preview_room {
     struct cupola_rig rig; /* of the theatre */
     cupola_dome *dome;     /* NULL: nothing was drawn so far */
     cupola_theatre *theatre;
-    unsigned int black[CUPOLA_OUTPUTS_MAX]; /* what the other projectors throw */
+    unsigned int black[CUPOLA_OUTPUTS_MAX]; /* what projectors throw that the tool does not know */
     struct stickers *stickers;
 };
 
@@ -73,7 +73,7 @@ static bool make_black(struct preview_room *preview, int output, char *message)
     return true;
 }
 
-static bool build(struct preview_room *preview, const struct cupola_rig *rig, int output,
+static bool build(struct preview_room *preview, const struct cupola_rig *rig, int known,
                   char *message)
 {
     struct cupola_error error = {0};
@@ -87,31 +87,34 @@ static bool build(struct preview_room *preview, const struct cupola_rig *rig, in
         snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
         return false;
     }
-    for (int i = 0; i < rig->output_count; i++)
-        if (i != output && !make_black(preview, i, message))
+    for (int i = known; i < rig->output_count; i++)
+        if (!make_black(preview, i, message))
             return false;
     return true;
 }
 
-/* The theatre as it stands there, its projector with an image as large as the one that is made. */
+/* The theatre as it stands there, its projectors with images as large as those that are made. */
 static bool find_rig(const struct tool *tool, struct cupola_rig *rig, char *message)
 {
-    const struct cupola_output *made = &tool->rig.outputs[tool->output];
-    struct cupola_output *output;
     struct cupola_error error = {0};
 
     *rig = tool->theatre;
-    output = &rig->outputs[tool->output];
-    if (output->width_px == made->width_px && output->height_px == made->height_px)
-        return true;
-    if (cupola_output_resize(output, made->width_px, made->height_px, &error) >= 0)
-        return true;
-    snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
-    return false;
+    for (int i = 0; i < rig->output_count && i < tool->rig.output_count; i++) {
+        const struct cupola_output *made = &tool->rig.outputs[i];
+        struct cupola_output *output = &rig->outputs[i];
+        if (output->width_px == made->width_px && output->height_px == made->height_px)
+            continue;
+        if (cupola_output_resize(output, made->width_px, made->height_px, &error) < 0) {
+            snprintf(message, MESSAGE_SIZE, "preview: %s", error.message);
+            return false;
+        }
+    }
+    return true;
 }
 
-bool preview_draw(struct preview_room *preview, const struct tool *tool, unsigned int image,
-                  unsigned int framebuffer, const int rectangle[4], char *message)
+bool preview_draw(struct preview_room *preview, const struct tool *tool,
+                  const unsigned int made[CUPOLA_OUTPUTS_MAX], unsigned int framebuffer,
+                  const int rectangle[4], char *message)
 {
     struct cupola_error error = {0};
     struct cupola_spectator spectator;
@@ -120,10 +123,10 @@ bool preview_draw(struct preview_room *preview, const struct tool *tool, unsigne
         .framebuffer = framebuffer, .x = rectangle[0], .y = rectangle[1]};
     unsigned int images[CUPOLA_OUTPUTS_MAX];
 
-    if (!find_rig(tool, &rig, message) || !build(preview, &rig, tool->output, message))
+    if (!find_rig(tool, &rig, message) || !build(preview, &rig, tool->rig.output_count, message))
         return false;
-    memcpy(images, preview->black, sizeof images);
-    images[tool->output] = image;
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++)
+        images[i] = i < tool->rig.output_count ? made[i] : preview->black[i];
     if (tool->preview == PREVIEW_OUTSIDE) {
         cupola_spectator_outside(preview->dome, &spectator);
     } else {

@@ -21,13 +21,19 @@
 #include "tool/pattern_labels.h"
 #include "tool/preview.h"
 
-struct stage {
-    struct cupola_rig rig;       /* as it is shown */
-    cupola_dome *dome;           /* of it; NULL: nothing was drawn so far */
-    struct cupola_rig table_rig; /* of the point table; its eye does not count */
-    int table_output;
-    cupola_points *points; /* NULL: nothing was drawn so far */
+/* What one projector throws. */
+struct throw
+{
+    cupola_points *points;       /* NULL: nothing was drawn so far */
+    struct cupola_rig table_rig; /* of the points: what they depend on, all else 0 */
     struct target image;
+};
+
+struct stage {
+    struct cupola_rig rig; /* as it is shown */
+    cupola_dome *dome;     /* of it; NULL: nothing was drawn so far */
+    struct throw throws[CUPOLA_OUTPUTS_MAX];
+    int output; /* that is set up, in the last frame */
     struct patterns *patterns;
     struct dome_text *text;
     struct overlay *overlay;
@@ -63,10 +69,11 @@ void stage_destroy(struct stage *stage)
 {
     if (!stage)
         return;
-    cupola_points_destroy(&stage->points);
+    for (int i = 0; i < CUPOLA_OUTPUTS_MAX; i++) {
+        cupola_points_destroy(&stage->throws[i].points);
+        target_destroy(&stage->throws[i].image);
+    }
     cupola_dome_destroy(&stage->dome);
-    if (stage->image.framebuffer)
-        target_destroy(&stage->image);
     patterns_destroy(stage->patterns);
     dome_text_destroy(stage->text);
     overlay_destroy(stage->overlay);
@@ -78,7 +85,7 @@ void stage_destroy(struct stage *stage)
 
 const struct target *stage_image(const struct stage *stage)
 {
-    return &stage->image;
+    return &stage->throws[stage->output].image;
 }
 
 static bool update_dome(struct stage *stage, const struct tool *tool, char *message)
@@ -100,49 +107,54 @@ static bool update_dome(struct stage *stage, const struct tool *tool, char *mess
     return true;
 }
 
-/* The point table does not depend on the eye. */
+/* The point table does not depend on the eye, nor on other projectors. */
 static bool update_points(struct stage *stage, int output, char *message)
 {
-    struct cupola_rig rig = stage->rig;
+    struct throw *throw = &stage->throws[output];
+    struct cupola_rig rig;
     struct cupola_error error = {0};
     int status;
 
-    memset(rig.eye_m, 0, sizeof rig.eye_m);
-    if (stage->points && output == stage->table_output &&
-        memcmp(&rig, &stage->table_rig, sizeof rig) == 0)
+    memset(&rig, 0, sizeof rig);
+    rig.screen = stage->rig.screen;
+    rig.tilt_rad = stage->rig.tilt_rad;
+    memcpy(&rig.outputs[output], &stage->rig.outputs[output], sizeof *rig.outputs);
+    if (throw->points && memcmp(&rig, &throw->table_rig, sizeof rig) == 0)
         return true;
-    status = stage->points ? cupola_points_set_dome(stage->points, stage->dome, output, &error)
-                           : cupola_points_create(stage->dome, output, &stage->points, &error);
+    status = throw->points ? cupola_points_set_dome(throw->points, stage->dome, output, &error)
+                           : cupola_points_create(stage->dome, output, &throw->points, &error);
     if (status < 0) {
         snprintf(message, MESSAGE_SIZE, "%s", error.message);
         return false;
     }
-    memcpy(&stage->table_rig, &rig, sizeof rig);
-    stage->table_output = output;
+    memcpy(&throw->table_rig, &rig, sizeof rig);
     return true;
 }
 
 static bool update_image(struct stage *stage, int output, char *message)
 {
     const struct cupola_output *size = &stage->rig.outputs[output];
-    struct target made;
+    struct target *image = &stage->throws[output].image, made;
 
-    if (stage->image.framebuffer && stage->image.width == size->width_px &&
-        stage->image.height == size->height_px)
+    if (image->framebuffer && image->width == size->width_px && image->height == size->height_px)
         return true;
     if (!target_create(&made, size->width_px, size->height_px, TARGET_SRGB, message, MESSAGE_SIZE))
         return false;
-    if (stage->image.framebuffer)
-        target_destroy(&stage->image);
-    stage->image = made;
+    target_destroy(image);
+    *image = made;
     return true;
+}
+
+static unsigned int points_of(const struct stage *stage, const struct tool *tool)
+{
+    return cupola_points_texture(stage->throws[tool->output].points);
 }
 
 static void draw_labels(struct stage *stage, const struct tool *tool)
 {
     pattern_labels_list(tool, stage->dome, &stage->labels);
     for (int i = 0; i < stage->labels.count; i++)
-        dome_text_draw(stage->text, &stage->rig, tool->output, cupola_points_texture(stage->points),
+        dome_text_draw(stage->text, &stage->rig, tool->output, points_of(stage, tool),
                        &stage->labels.list[i]);
 }
 
@@ -162,18 +174,24 @@ static void draw_cross_name(struct stage *stage, const struct tool *tool)
     label.unit_rad = pattern_label_unit_rad(stage->dome, tool->output, ray.direction);
     memcpy(label.direction, ray.direction, sizeof label.direction);
     dome_label_anchor(&label, 1, 1);
-    dome_text_draw(stage->text, &stage->rig, tool->output, cupola_points_texture(stage->points),
-                   &label);
+    dome_text_draw(stage->text, &stage->rig, tool->output, points_of(stage, tool), &label);
 }
 
-/* The projector's image. Patterns are written as numbers; what lies over them is mixed as light. */
+/*
+ * The image of the tool's projector. Patterns are written as numbers; what lies over them is mixed
+ * as light.
+ */
 static bool draw_image(struct stage *stage, const struct tool *tool, char *message)
 {
-    unsigned int points = cupola_points_texture(stage->points);
+    const struct target *image = &stage->throws[tool->output].image;
+    unsigned int points;
     bool drawn;
 
-    glBindFramebuffer(GL_FRAMEBUFFER, stage->image.framebuffer);
-    glViewport(0, 0, stage->image.width, stage->image.height);
+    if (!update_points(stage, tool->output, message) || !update_image(stage, tool->output, message))
+        return false;
+    points = points_of(stage, tool);
+    glBindFramebuffer(GL_FRAMEBUFFER, image->framebuffer);
+    glViewport(0, 0, image->width, image->height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -195,6 +213,33 @@ static bool draw_image(struct stage *stage, const struct tool *tool, char *messa
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     return drawn;
+}
+
+/* What the other projectors throw: pattern and labels, and nothing of what is being done. */
+static bool draw_others(struct stage *stage, const struct tool *tool,
+                        unsigned int images[CUPOLA_OUTPUTS_MAX], char *message)
+{
+    struct tool other = *tool;
+
+    other.text_on_dome = false;
+    if (other.group == GROUP_MARKS)
+        other.group = GROUP_POSITION;
+    for (int i = 0; i < tool->rig.output_count && i < tool->theatre.output_count; i++) {
+        other.output = i;
+        if (i != tool->output && !draw_image(stage, &other, message))
+            return false;
+        images[i] = stage->throws[i].image.texture;
+    }
+    return true;
+}
+
+static bool draw_preview(struct stage *stage, const struct tool *tool, unsigned int framebuffer,
+                         const int place[4], char *message)
+{
+    unsigned int images[CUPOLA_OUTPUTS_MAX] = {0};
+
+    return draw_others(stage, tool, images, message) &&
+           preview_draw(stage->preview, tool, images, framebuffer, place, message);
 }
 
 /* The image as large as it fits, in the left half beside a preview; from the bottom left. */
@@ -229,7 +274,7 @@ static void show_image(struct stage *stage, unsigned int framebuffer, const int 
     glUniform4f(glGetUniformLocation(stage->show, "place_px"), (float)place[0], (float)place[1],
                 (float)place[2], (float)place[3]);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, stage->image.texture);
+    glBindTexture(GL_TEXTURE_2D, stage_image(stage)->texture);
     glBindVertexArray(stage->vertex_array);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
@@ -242,9 +287,9 @@ bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int frame
 {
     int place[4], theatre[4] = {width / 2, 0, width - width / 2, height};
 
-    if (!update_dome(stage, tool, message) || !update_points(stage, tool->output, message) ||
-        !update_image(stage, tool->output, message) || !draw_image(stage, tool, message))
+    if (!update_dome(stage, tool, message) || !draw_image(stage, tool, message))
         return false;
+    stage->output = tool->output;
     if (width < 1 || height < 1)
         return true;
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -254,7 +299,7 @@ bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int frame
     place_image(tool, width, height, place);
     show_image(stage, framebuffer, place);
     if (tool->preview != PREVIEW_NONE && theatre[0] > 0 &&
-        !preview_draw(stage->preview, tool, stage->image.texture, framebuffer, theatre, message))
+        !draw_preview(stage, tool, framebuffer, theatre, message))
         return false;
     if (!tool->text_on_dome)
         panels_draw(stage->overlay, tool, framebuffer, width, height);

@@ -147,6 +147,36 @@ static void the_preview_shows_a_straight_grid_where_the_theatre_is_the_rig(void 
     stage_fixture_release(&fixture);
 }
 
+/* The chosen one lights a corner; all else is the other one's, whose image has another size. */
+static void the_preview_has_the_images_of_all_projectors(void **state)
+{
+    const int width = 800, height = 400;
+    struct cupola_rig rig = {.screen = {2, 110 * RADIANS}, .output_count = 2};
+    struct stage_fixture fixture;
+    unsigned char *frame;
+
+    (void)state;
+    rig.outputs[0].lens.fov_rad = 30 * RADIANS;
+    rig.outputs[0].aim.yaw_rad = 60 * RADIANS;
+    rig.outputs[1].position_m[1] = -0.5;
+    rig.outputs[1].lens.fov_rad = 200 * RADIANS;
+    assert_int_equal(cupola_rig_complete(&rig, &rig, NULL), CUPOLA_OK);
+    stage_fixture_make(&fixture, &rig);
+    fixture.tool.theatre = rig;
+    assert_int_equal(cupola_output_resize(&fixture.tool.rig.outputs[1], 900, 800, NULL), CUPOLA_OK);
+    fixture.tool.pattern = PATTERN_GRID;
+    fixture.tool.about = ABOUT_VIEWER;
+    fixture.tool.preview = PREVIEW_EYE;
+    frame = stage_fixture_frame(&fixture, width, height);
+    check_at_least(agreement(frame, width, height), 0.99);
+    free(frame);
+    fixture.tool.rig.outputs[1].position_m[1] -= 0.05;
+    frame = stage_fixture_frame(&fixture, width, height);
+    check_at_most(agreement(frame, width, height), 0.9);
+    free(frame);
+    stage_fixture_release(&fixture);
+}
+
 static void a_window_of_the_images_size_shows_its_pixels(void **state)
 {
     struct cupola_rig rig;
@@ -229,6 +259,7 @@ int main(void)
         cmocka_unit_test(what_is_about_the_dome_stays_where_it_is_for_every_viewer),
         cmocka_unit_test(nothing_is_lit_outside_of_lens_and_screen),
         cmocka_unit_test(the_preview_shows_a_straight_grid_where_the_theatre_is_the_rig),
+        cmocka_unit_test(the_preview_has_the_images_of_all_projectors),
         cmocka_unit_test(a_window_of_the_images_size_shows_its_pixels),
         cmocka_unit_test(whatever_is_possible_is_drawn),
     };
