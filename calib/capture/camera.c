@@ -8,7 +8,7 @@
 #include <cupola/projection.h>
 
 #include "option_values.h"
-#include "solve/rotation.h"
+#include "rotation.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <cminpack-1/cminpack.h>
+#include <cminpack.h>
 
 #include "capture/pose_model.h"
 #include "capture/pose_references.h"
 #include "option_values.h"
 #include "order.h"
 #include "random.h"
-#include "solve/rotation.h"
+#include "rotation.h"
 
 static const double DEGREES = 180 / 3.14159265358979323846;
 

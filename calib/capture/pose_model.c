@@ -6,7 +6,7 @@
 
 #include <cupola/projection.h>
 
-#include "solve/rotation.h"
+#include "rotation.h"
 
 static void add_unknowns(struct pose_model *model, int first, int count)
 {

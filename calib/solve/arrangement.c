@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "option_values.h"
-#include "solve/symmetric.h"
+#include "symmetric.h"
 
 static const double degree = 3.14159265358979323846 / 180;
 static const double least_off_plane_deg = 3, least_width_deg = 10;

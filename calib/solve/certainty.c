@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "option_values.h"
-#include "solve/rotation.h"
-#include "solve/symmetric.h"
+#include "rotation.h"
 #include "solve/view_certainty.h"
+#include "symmetric.h"
 
 static const double degree = 3.14159265358979323846 / 180;
 

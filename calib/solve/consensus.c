@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rotation.h"
 #include "solve/fit.h"
-#include "solve/rotation.h"
 #include "solve/search.h"
-#include "solve/symmetric.h"
 #include "solve/weights.h"
+#include "symmetric.h"
 
 enum { SAMPLE = 300, ROUNDS = 40 };
 

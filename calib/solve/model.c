@@ -6,7 +6,7 @@
 
 #include <cupola/projection.h>
 
-#include "solve/rotation.h"
+#include "rotation.h"
 
 static void add(struct model *model, enum model_value value, double unit)
 {

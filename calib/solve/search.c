@@ -8,8 +8,8 @@
 
 #include "order.h"
 #include "random.h"
-#include "solve/rotation.h"
-#include "solve/symmetric.h"
+#include "rotation.h"
+#include "symmetric.h"
 
 static const double pi = 3.14159265358979323846;
 

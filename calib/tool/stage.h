@@ -9,7 +9,7 @@
 #include <stdbool.h>
 
 #include "target.h"
-#include "tool.h"
+#include "tool/tool.h"
 
 struct stage;
 

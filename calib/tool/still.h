@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "tool.h"
+#include "tool/tool.h"
 
 struct still;
 

@@ -2,7 +2,7 @@
 #ifndef WINDOW_H
 #define WINDOW_H
 
-#include "tool.h"
+#include "tool/tool.h"
 
 struct window_wishes {
     int monitor;       /* index, 0: the primary one */
