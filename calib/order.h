@@ -1,8 +1,12 @@
-/* Numbers in order, for qsort. */
+/* Numbers in order. */
 #ifndef ORDER_H
 #define ORDER_H
 
-int order_doubles(const void *a, const void *b);
-int order_floats(const void *a, const void *b);
+/* Sorts them into rising order. */
+void order_sort(double *numbers, int count);
+void order_sort_floats(float *numbers, int count);
+
+/* Sorts them, and returns the rank-th smallest of them, 1 to count. */
+double order_ranked(double *numbers, int count, int rank);
 
 #endif

@@ -332,9 +332,9 @@ static void predict(struct reading *reading)
     }
 }
 
-static float median(float *numbers, size_t count)
+static float median(float *numbers, int count)
 {
-    qsort(numbers, count, sizeof *numbers, order_floats);
+    order_sort_floats(numbers, count);
     return numbers[count / 2];
 }
 
@@ -343,7 +343,7 @@ static void count_states(struct reading *reading)
     struct code_map *map = reading->map;
     /* No longer needed for what they were. */
     float *contrasts = reading->amplitude[0], *greys = reading->amplitude[1];
-    size_t decoded = 0;
+    int decoded = 0;
 
     for (size_t i = 0; i < pixel_count(map); i++) {
         map->counts[map->state[i]]++;

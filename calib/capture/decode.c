@@ -214,7 +214,7 @@ static double median_sd_px(const struct patches *patches)
         return HUGE_VAL;
     for (int i = 0; i < patches->count; i++)
         sizes[i] = hypot(patches->list[i].sd_px[0], patches->list[i].sd_px[1]);
-    qsort(sizes, (size_t)patches->count, sizeof *sizes, order_doubles);
+    order_sort(sizes, patches->count);
     median = sizes[patches->count / 2];
     free(sizes);
     return median;

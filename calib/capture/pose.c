@@ -136,7 +136,7 @@ static double median_px(struct fit *fit)
         if (!fit->model.rejected[i])
             fit->sorted[count++] = pose_model_patch_px(&fit->model, fit->residuals, i);
     }
-    qsort(fit->sorted, (size_t)count, sizeof *fit->sorted, order_doubles);
+    order_sort(fit->sorted, count);
     return count > 0 ? fit->sorted[count / 2] : 0;
 }
 

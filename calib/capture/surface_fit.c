@@ -103,7 +103,7 @@ static bool leave_out(struct surface_sample *samples, int count, const struct so
     for (int s = 0; s < count; s++)
         sizes[s] = hypot(residual(&samples[s], solution->surface[0], 0),
                          residual(&samples[s], solution->surface[1], 1));
-    qsort(sizes, (size_t)count, sizeof *sizes, order_doubles);
+    order_sort(sizes, count);
     limit = 4 * sizes[count / 2] / 1.1774 + 1e-4; /* median of a Rayleigh distribution */
     for (int s = 0; s < count; s++) {
         bool far = hypot(residual(&samples[s], solution->surface[0], 0),

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "order.h"
 #include "rotation.h"
 #include "solve/fit.h"
 #include "solve/search.h"
@@ -30,7 +31,7 @@ static void measure(const struct model *model, const int *chosen, int count, dou
 static double most_of(const struct model *model, const int *chosen, int count, double *lengths)
 {
     measure(model, chosen, count, lengths);
-    return search_ranked(lengths, count, search_most(count, model->count));
+    return order_ranked(lengths, count, search_most(count, model->count));
 }
 
 /* Evenly out of all, where there are more than are needed. */

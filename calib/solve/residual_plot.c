@@ -15,10 +15,10 @@
 #include <cupola/dome.h>
 
 #include "option_values.h"
+#include "order.h"
 #include "short_path.h"
 #include "solve/lit_place.h"
 #include "solve/plot_text.h"
-#include "solve/search.h"
 
 static const double pi = 3.14159265358979323846, degrees = 180 / 3.14159265358979323846;
 
@@ -120,7 +120,7 @@ static double find_factor(const struct plot *plot)
         if (!plot->result->marks[i].rejected)
             lengths[used++] = hypot(to[0] - from[0], to[1] - from[1]);
     }
-    double wished = lengths ? 25 / fmax(search_ranked(lengths, used, (used + 1) / 2), 1e-6) : 1;
+    double wished = lengths ? 25 / fmax(order_ranked(lengths, used, (used + 1) / 2), 1e-6) : 1;
     free(lengths);
     double power = pow(10, floor(log10(wished)));
     factor = wished / power >= 5 ? 5 * power : wished / power >= 2 ? 2 * power : power;

@@ -39,12 +39,6 @@ int search_most(int count, int values)
     return most < count ? most : count;
 }
 
-double search_ranked(double *numbers, int count, int most)
-{
-    qsort(numbers, (size_t)count, sizeof *numbers, order_doubles);
-    return numbers[most - 1];
-}
-
 static int random_below(uint64_t *seed, int bound)
 {
     return (int)(random_next(seed) % (uint64_t)bound);
@@ -170,7 +164,7 @@ static void judge(struct search *search, struct pose *pose)
         search->errors[i] = square;
     }
     int most = search_most(search->count, search->model->count);
-    pose->error_rad = sqrt(search_ranked(search->errors, search->count, most));
+    pose->error_rad = sqrt(order_ranked(search->errors, search->count, most));
 }
 
 static bool same_pose(const struct search *search, const struct pose *a, const struct pose *b)

@@ -26,7 +26,4 @@ int search_poses(const struct model *model, const int *chosen, int count,
 /* How many of some marks are taken for most of them when `values` are free. */
 int search_most(int count, int values);
 
-/* The most-th smallest number; shuffles them. */
-double search_ranked(double *numbers, int count, int most);
-
 #endif

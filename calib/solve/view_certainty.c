@@ -7,7 +7,7 @@
 
 #include <cupola/dome.h>
 
-#include "solve/search.h"
+#include "order.h"
 
 enum { ACROSS = 20, PLACES_MAX = ACROSS * ACROSS, COLUMNS_MAX = MODEL_VALUES_MAX + 1 };
 
@@ -120,7 +120,8 @@ bool view_certainty_find(const struct model *model, const struct certainty *cert
     for (int i = 0; i < view->places; i++)
         sd_rad[i] = uncertainty(view, certainty, radius_sd_m, i);
     if (view->places > 0) {
-        result->worst_direction_sd_rad = search_ranked(sd_rad, view->places, view->places);
+        order_sort(sd_rad, view->places);
+        result->worst_direction_sd_rad = sd_rad[view->places - 1];
         result->direction_sd_rad = sd_rad[view->places / 2];
     }
     cupola_dome_destroy(&view->dome);
