@@ -7,10 +7,9 @@
 
 #include <cupola/projection.h>
 
+#include "angles.h"
 #include "option_values.h"
 #include "rotation.h"
-
-static const double PI = 3.14159265358979323846;
 
 static bool parse_fov(const char *option, const char *text, struct number_range range, double *fov,
                       char *message)
@@ -130,8 +129,8 @@ static bool own_ray(const struct camera *camera, const double place_px[2], doubl
         return true;
     }
     if (camera->kind == CAMERA_EQUIRECTANGULAR) {
-        double right = 2 * PI * (place_px[0] / camera->width - 0.5);
-        double up = PI * (place_px[1] / camera->height - 0.5);
+        double right = 2 * pi * (place_px[0] / camera->width - 0.5);
+        double up = pi * (place_px[1] / camera->height - 0.5);
         ray[0] = sin(right) * cos(up);
         ray[1] = sin(up);
         ray[2] = -cos(right) * cos(up);
@@ -177,8 +176,8 @@ bool camera_place(const struct camera *camera, const double point_m[3], double p
         place_px[0] = camera->center_px[0] - focal_px * own[0] / own[2];
         place_px[1] = camera->center_px[1] - focal_px * own[1] / own[2];
     } else {
-        place_px[0] = camera->width * (0.5 + atan2(own[0], -own[2]) / (2 * PI));
-        place_px[1] = camera->height * (0.5 + atan2(own[1], hypot(own[0], own[2])) / PI);
+        place_px[0] = camera->width * (0.5 + atan2(own[0], -own[2]) / (2 * pi));
+        place_px[1] = camera->height * (0.5 + atan2(own[1], hypot(own[0], own[2])) / pi);
     }
     return place_px[0] >= 0 && place_px[0] <= camera->width && place_px[1] >= 0 &&
            place_px[1] <= camera->height;

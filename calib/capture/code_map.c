@@ -7,12 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "capture/code_noise.h"
 #include "option_values.h"
 #include "order.h"
 #include "short_path.h"
-
-static const double PI = 3.14159265358979323846;
 
 /* From here on a number counts as cut off: 250 of 255 by sRGB's curve. */
 static const double saturated_light = 0.957;
@@ -158,7 +157,7 @@ static bool add_bit(struct reading *reading, const struct photo *inverse, int nu
 
 static void add_step(struct reading *reading, const struct photo *photo, int step)
 {
-    double angle = 2 * PI * step / reading->settings->series->steps;
+    double angle = 2 * pi * step / reading->settings->series->steps;
     double cosine = cos(angle), sine = sin(angle);
 
     for (size_t i = 0; i < pixel_count(reading->map); i++) {
@@ -317,7 +316,7 @@ static void predict(struct reading *reading)
 {
     const struct series *series = reading->settings->series;
     struct code_map *map = reading->map;
-    double factor = series->period_px / (2 * PI) * sqrt(2.0 / series->steps);
+    double factor = series->period_px / (2 * pi) * sqrt(2.0 / series->steps);
 
     code_noise_fit(&reading->noise);
     for (size_t i = 0; i < pixel_count(map); i++) {

@@ -6,6 +6,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "angles.h"
 #include "capture/code_map.h"
 #include "capture/command.h"
 #include "capture/patches.h"
@@ -16,8 +17,6 @@
 #include "output_file.h"
 #include "status.h"
 #include "whole_file.h"
-
-static const double DEGREES = 180 / 3.14159265358979323846;
 
 struct decoding {
     const struct capture_options *options;
@@ -113,18 +112,20 @@ static void report_pose(const struct decoding *decoding)
 
     camera_aim_of(camera, decoding->rig.tilt_rad, &aim);
     printf("camera: position %.4f, %.4f, %.4f m (sd %.2g), aim %.3f, %.3f, %.3f degrees (sd %.2g)",
-           at[0], at[1], at[2], pose->camera_position_sd_m, aim.yaw_rad * DEGREES,
-           aim.pitch_rad * DEGREES, aim.roll_rad * DEGREES, pose->camera_aim_sd_rad * DEGREES);
+           at[0], at[1], at[2], pose->camera_position_sd_m, aim.yaw_rad * deg_per_rad,
+           aim.pitch_rad * deg_per_rad, aim.roll_rad * deg_per_rad,
+           pose->camera_aim_sd_rad * deg_per_rad);
     if (decoding->options->free & POSE_FOV)
         printf(", fov %.3f degrees",
-               DEGREES * (camera->kind == CAMERA_FISHEYE ? camera->fisheye.lens.fov_rad
-                                                         : camera->fov_rad));
+               deg_per_rad * (camera->kind == CAMERA_FISHEYE ? camera->fisheye.lens.fov_rad
+                                                             : camera->fov_rad));
     if (decoding->options->free & POSE_CENTER)
         printf(", axis at %.2f, %.2f px", camera->center_px[0], camera->center_px[1]);
     printf("\nprojector: position %.4f, %.4f, %.4f m (sd %.2g), aim %.3f, %.3f, %.3f degrees "
            "(sd %.2g)\n",
-           from[0], from[1], from[2], pose->projector_position_sd_m, way->yaw_rad * DEGREES,
-           way->pitch_rad * DEGREES, way->roll_rad * DEGREES, pose->projector_aim_sd_rad * DEGREES);
+           from[0], from[1], from[2], pose->projector_position_sd_m, way->yaw_rad * deg_per_rad,
+           way->pitch_rad * deg_per_rad, way->roll_rad * deg_per_rad,
+           pose->projector_aim_sd_rad * deg_per_rad);
     printf("residuals: %.3g px rms, %.3g px worst, %d of %d marks left out; references: %.3g px of "
            "the photograph rms, %.3g px worst (%s)\n",
            pose->rms_px, pose->worst_px, pose->rejected_count, decoding->patches.count,

@@ -9,14 +9,13 @@
 
 #include <cminpack.h>
 
+#include "angles.h"
 #include "capture/pose_model.h"
 #include "capture/pose_references.h"
 #include "option_values.h"
 #include "order.h"
 #include "random.h"
 #include "rotation.h"
-
-static const double DEGREES = 180 / 3.14159265358979323846;
 
 /* A fit is one where half of the places are this near; and further starts are tried until then. */
 static const double fitting_px = 1;
@@ -330,7 +329,8 @@ static bool check_result(const struct pose_request *request, const struct pose_r
                  "photographs and references leave positions open by %.3g m and aims by %.3g "
                  "degrees; allowed: up to %.3g m and %.3g degrees; more references, further apart, "
                  "help, and so does less in --camera-free",
-                 position, aim * DEGREES, most_position_sd * radius_m, most_aim_sd_rad * DEGREES);
+                 position, aim * deg_per_rad, most_position_sd * radius_m,
+                 most_aim_sd_rad * deg_per_rad);
         return false;
     }
     if (sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]) < radius_m)

@@ -4,9 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "angles.h"
 #include "option_values.h"
-
-static const double DEGREES = 180 / 3.14159265358979323846;
 
 static void unit_place(const struct marks *marks, int index, double unit[3])
 {
@@ -26,7 +25,7 @@ static bool references_span(const struct marks *references)
         for (int k = 0; k < i; k++) {
             unit_place(references, i, a);
             unit_place(references, k, b);
-            if (fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) < cos(5 / DEGREES))
+            if (fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) < cos(5 / deg_per_rad))
                 return true;
         }
     }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-static const double PI = 3.14159265358979323846;
+#include "angles.h"
 
 int series_period_for(int width_px, int height_px)
 {
@@ -102,7 +102,7 @@ double series_light(const struct series *series, const struct series_picture *pi
     case SERIES_INVERSE:
         return !code_is_bright(series, picture, place);
     case SERIES_SINE:
-        return 0.5 + 0.5 * cos(2 * PI *
+        return 0.5 + 0.5 * cos(2 * pi *
                                ((place + 0.5) / series->period_px -
                                 (double)picture->index / series->steps));
     default:
@@ -121,7 +121,7 @@ double series_place(const struct series *series, unsigned int code, double phase
 {
     double half_px = 0.5 * series->period_px;
     double middle = (code + 0.5) * half_px;
-    double within = phase_rad / (2 * PI) * series->period_px;
+    double within = phase_rad / (2 * pi) * series->period_px;
     double place = within + series->period_px * round((middle - within) / series->period_px);
 
     *off = fabs(place - middle) / half_px;

@@ -6,12 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "capture/simulate_gl.h"
 #include "capture/simulate_rays.h"
 #include "option_values.h"
 #include "random.h"
-
-static const double PI = 3.14159265358979323846;
 
 /* Of the noise's variance at full white, what is there without light. */
 static const double read_part = 0.25;
@@ -153,7 +152,7 @@ static void add_noise(struct simulator *simulator, struct photo *photo)
         double sd = sqrt(variance * (read_part + (1 - read_part) * fmax(light, 0)));
         /* Box and Muller 1958. */
         double far = sqrt(-2 * log(uniform(&simulator->state)));
-        photo->light[i] = (float)(light + sd * far * cos(2 * PI * uniform(&simulator->state)));
+        photo->light[i] = (float)(light + sd * far * cos(2 * pi * uniform(&simulator->state)));
     }
 }
 

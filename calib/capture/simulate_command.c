@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "angles.h"
 #include "capture/command.h"
 #include "capture/folder.h"
 #include "capture/simulate.h"
@@ -11,16 +12,14 @@
 #include "output_file.h"
 #include "status.h"
 
-static const double PI = 3.14159265358979323846;
-
 /* Places of the screen as somebody would measure them: its middle and two rings round it. */
 enum { RING = 8, REFERENCES = 1 + 2 * RING };
 
 static void reference_direction(const struct cupola_rig *rig, int index, double direction[3])
 {
-    double most = fmin(rig->screen.cap_rad, PI / 2);
+    double most = fmin(rig->screen.cap_rad, pi / 2);
     double angle = index == 0 ? 0 : index <= RING ? 0.4 * most : 0.8 * most;
-    double round = 2 * PI * index / RING;
+    double round = 2 * pi * index / RING;
 
     direction[0] = sin(angle) * cos(round);
     direction[1] = sin(angle) * sin(round);

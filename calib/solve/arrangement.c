@@ -5,10 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "angles.h"
 #include "option_values.h"
 #include "symmetric.h"
 
-static const double degree = 3.14159265358979323846 / 180;
 static const double least_off_plane_deg = 3, least_width_deg = 10;
 
 static bool direction(const struct mark *mark, double d[3])
@@ -80,18 +80,18 @@ void arrangement_measure(const struct marks *marks, const bool *rejected,
 
 bool arrangement_suffices(const struct arrangement *arrangement, char *message)
 {
-    if (!(arrangement->width_rad >= least_width_deg * degree)) {
+    if (!(arrangement->width_rad >= least_width_deg * rad_per_deg)) {
         snprintf(message, MESSAGE_SIZE,
                  "all marks lie close together, within %.1f degrees of their middle; allowed: "
                  "marks over all that the projector lights, %g degrees from their middle at least",
-                 arrangement->width_rad / degree, least_width_deg);
+                 arrangement->width_rad / rad_per_deg, least_width_deg);
         return false;
     }
-    if (!(arrangement->off_plane_rad >= least_off_plane_deg * degree)) {
+    if (!(arrangement->off_plane_rad >= least_off_plane_deg * rad_per_deg)) {
         snprintf(message, MESSAGE_SIZE,
                  "all marks lie on one meridian (one great circle), within %.1f degrees; allowed: "
                  "some marks aside of it, by %g degrees at least",
-                 arrangement->off_plane_rad / degree, least_off_plane_deg);
+                 arrangement->off_plane_rad / rad_per_deg, least_off_plane_deg);
         return false;
     }
     return true;
@@ -104,7 +104,7 @@ static bool same_place(const struct mark *a, const struct mark *b, double near_p
 
     if (apart_px < near_px || !direction(a, d) || !direction(b, e))
         return true;
-    return product(d, e) > cos(degree);
+    return product(d, e) > cos(1 * rad_per_deg);
 }
 
 int arrangement_places(const struct marks *marks, const bool *rejected, double near_px, int most)

@@ -6,12 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "option_values.h"
 #include "rotation.h"
 #include "solve/view_certainty.h"
 #include "symmetric.h"
-
-static const double degree = 3.14159265358979323846 / 180;
 
 /* Beyond this sd a value is worth nothing, in its scaled unit; from a tenth of it on it is weak. */
 static double limit(enum model_value value)
@@ -28,7 +27,7 @@ static double limit(enum model_value value)
     case VALUE_AIM_X:
     case VALUE_AIM_Y:
     case VALUE_AIM_Z:
-        return 3 * degree;
+        return 3 * rad_per_deg;
     default:
         return 0.2;
     }
@@ -104,7 +103,7 @@ bool certainty_find(const struct model *model, const bool *rejected, struct cert
 /* Even marks without any error tell nothing where usual ones would tell nothing. */
 static double usual_noise_px(const struct model *model, const struct certainty *certainty)
 {
-    return fmax(certainty->noise_px, 0.05 * degree * model_px_per_rad(model));
+    return fmax(certainty->noise_px, 0.05 * rad_per_deg * model_px_per_rad(model));
 }
 
 static double share_of_limit(const struct model *model, const struct certainty *certainty,
@@ -164,7 +163,7 @@ static void describe(const struct model *model, const struct certainty *certaint
     case VALUE_AIM_X:
     case VALUE_AIM_Y:
     case VALUE_AIM_Z:
-        snprintf(text, size, "%.3g degrees", sd / degree);
+        snprintf(text, size, "%.3g degrees", sd / rad_per_deg);
         break;
     default:
         snprintf(text, size, "%.3g", sd);
@@ -218,9 +217,9 @@ static void report_aim(const struct model *model, const struct certainty *certai
             model_apply(model, x, &side[s]);
         }
         const struct cupola_aim *low = &side[0].output.aim, *high = &side[1].output.aim;
-        change[0][k] = remainder(high->yaw_rad - low->yaw_rad, 360 * degree) / (2 * step);
+        change[0][k] = remainder(high->yaw_rad - low->yaw_rad, 360 * rad_per_deg) / (2 * step);
         change[1][k] = (high->pitch_rad - low->pitch_rad) / (2 * step);
-        change[2][k] = remainder(high->roll_rad - low->roll_rad, 360 * degree) / (2 * step);
+        change[2][k] = remainder(high->roll_rad - low->roll_rad, 360 * rad_per_deg) / (2 * step);
     }
     for (int i = 0; i < 3; i++) {
         double sum = 0;

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double degrees = 180 / 3.14159265358979323846;
+#include "angles.h"
 
 /* One value: as solved, its sd, the change from the start. */
 static void write_value(FILE *file, const char *name, const char *unit, double solved, double sd,
@@ -33,9 +33,9 @@ static void write_aim(FILE *file, const struct cupola_aim *solved, const struct 
     const double then[] = {start->yaw_rad, start->pitch_rad, start->roll_rad};
 
     for (int i = 0; i < 3 && result->free & SOLVE_AIM; i++) {
-        double near = now[i] * degrees - remainder((now[i] - then[i]) * degrees, 360);
-        write_value(file, names[i], "degrees", now[i] * degrees, result->aim_sd_rad[i] * degrees,
-                    near);
+        double near = now[i] * deg_per_rad - remainder((now[i] - then[i]) * deg_per_rad, 360);
+        write_value(file, names[i], "degrees", now[i] * deg_per_rad,
+                    result->aim_sd_rad[i] * deg_per_rad, near);
     }
 }
 
@@ -46,8 +46,8 @@ static void write_lens(FILE *file, const struct cupola_lens *solved,
 
     if (!(result->free & SOLVE_LENS))
         return;
-    write_value(file, "lens fov", "degrees", solved->fov_rad * degrees,
-                result->fov_sd_rad * degrees, start->fov_rad * degrees);
+    write_value(file, "lens fov", "degrees", solved->fov_rad * deg_per_rad,
+                result->fov_sd_rad * deg_per_rad, start->fov_rad * deg_per_rad);
     for (int i = 0; i < 4 && solved->model == CUPOLA_LENS_POLYNOMIAL; i++) {
         if (solved->k[i] != 0 || result->k_sd[i] > 0)
             write_value(file, names[i], "", solved->k[i], result->k_sd[i], start->k[i]);
@@ -161,7 +161,7 @@ void report_write(FILE *file, const struct solve_request *request,
             result->worst_px, ranked ? worst_name(request, result, ranked) : "");
     fprintf(file,
             "the viewer's directions: sd %.2g degrees (median over what is lit), %.2g (worst)\n",
-            result->direction_sd_rad * degrees, result->worst_direction_sd_rad * degrees);
+            result->direction_sd_rad * deg_per_rad, result->worst_direction_sd_rad * deg_per_rad);
     write_rejected(file, request, result);
     for (int i = 0; i < result->warning_count; i++)
         fprintf(file, "note: %s\n", result->warnings[i]);

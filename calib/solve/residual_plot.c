@@ -14,13 +14,12 @@
 
 #include <cupola/dome.h>
 
+#include "angles.h"
 #include "option_values.h"
 #include "order.h"
 #include "short_path.h"
 #include "solve/lit_place.h"
 #include "solve/plot_text.h"
-
-static const double pi = 3.14159265358979323846, degrees = 180 / 3.14159265358979323846;
 
 enum { SIZE = 1000, LEGEND = 110, MARGIN = 40, WAYS = 720, NAMES_MAX = 30 };
 
@@ -134,8 +133,8 @@ static void draw_circles(const struct plot *plot)
 
     cairo_set_line_width(cairo, 1);
     cairo_set_source_rgb(cairo, 0.8, 0.8, 0.8);
-    for (int angle = 30; angle <= plot->reach_rad * degrees + 0.5; angle += 30) {
-        cairo_arc(cairo, 0.5 * SIZE, 0.5 * SIZE, angle / degrees * px_per_rad(plot), 0, 2 * pi);
+    for (int angle = 30; angle <= plot->reach_rad * deg_per_rad + 0.5; angle += 30) {
+        cairo_arc(cairo, 0.5 * SIZE, 0.5 * SIZE, angle / deg_per_rad * px_per_rad(plot), 0, 2 * pi);
         cairo_stroke(cairo);
     }
     for (int k = 0; k < 12; k++) {
@@ -144,10 +143,11 @@ static void draw_circles(const struct plot *plot)
         cairo_rel_line_to(cairo, reach * sin(k * pi / 6), reach * cos(k * pi / 6));
         cairo_stroke(cairo);
     }
-    for (int angle = 0; angle <= plot->reach_rad * degrees + 0.5; angle += 30) {
+    for (int angle = 0; angle <= plot->reach_rad * deg_per_rad + 0.5; angle += 30) {
         char text[16];
         snprintf(text, sizeof text, "%d", 90 - angle);
-        plot_text(cairo, text, 0.5 * SIZE + 4, 0.5 * SIZE - angle / degrees * px_per_rad(plot) - 4,
+        plot_text(cairo, text, 0.5 * SIZE + 4,
+                  0.5 * SIZE - angle / deg_per_rad * px_per_rad(plot) - 4,
                   (double[3]){0.5, 0.5, 0.5});
     }
 }
@@ -203,10 +203,10 @@ static void draw_mark(const struct plot *plot, int index)
 static void draw_legend(const struct plot *plot)
 {
     static const double black[] = {0, 0, 0}, red[] = {0.85, 0.1, 0.1}, green[] = {0.2, 0.6, 0.3};
-    double wished = 120 / (px_per_rad(plot) / degrees * plot->factor);
+    double wished = 120 / (px_per_rad(plot) / deg_per_rad * plot->factor);
     double power = pow(10, floor(log10(wished)));
     double bar = wished / power >= 5 ? 5 * power : wished / power >= 2 ? 2 * power : power;
-    double length = bar * px_per_rad(plot) / degrees * plot->factor, y = SIZE + 10;
+    double length = bar * px_per_rad(plot) / deg_per_rad * plot->factor, y = SIZE + 10;
     char text[200];
 
     cairo_set_source_rgb(plot->cairo, 0.1, 0.2, 0.7);

@@ -6,12 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "order.h"
 #include "random.h"
 #include "rotation.h"
 #include "symmetric.h"
-
-static const double pi = 3.14159265358979323846;
 
 enum { TRIALS = 160, STEPS = 8, SUBSET = 4 };
 

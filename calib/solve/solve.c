@@ -7,14 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "option_values.h"
 #include "solve/arrangement.h"
 #include "solve/certainty.h"
 #include "solve/consensus.h"
 #include "solve/misfit.h"
 #include "solve/refusal.h"
-
-static const double pi = 3.14159265358979323846;
 
 /* Everything on the way from a request to its result. */
 struct solving {

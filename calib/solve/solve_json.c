@@ -1,7 +1,7 @@
 /* A solution as JSON. */
 #include "solve_json.h"
 
-static const double degrees = 180 / 3.14159265358979323846;
+#include "angles.h"
 
 /* 0 is added so that none is -0. */
 static void write_numbers(FILE *file, const double *numbers, int count, double factor)
@@ -38,7 +38,7 @@ static void write_lens(FILE *file, const char *key, const char *model, double fo
     fprintf(file, "  \"%s\": {", key);
     if (model)
         fprintf(file, "\"model\": \"%s\", ", model);
-    fprintf(file, "\"fov_deg\": %.17g", fov_rad * degrees);
+    fprintf(file, "\"fov_deg\": %.17g", fov_rad * deg_per_rad);
     if (k) {
         fputs(", \"k\": ", file);
         write_numbers(file, k, 4, 1);
@@ -56,8 +56,8 @@ static void write_values(FILE *file, const struct cupola_output *output,
 
     write_array(file, "projector_position_m", output->position_m, 3, 1);
     write_array(file, "projector_position_m_sd", result->position_sd_m, 3, 1);
-    write_array(file, "projector_aim_deg", aim, 3, degrees);
-    write_array(file, "projector_aim_deg_sd", result->aim_sd_rad, 3, degrees);
+    write_array(file, "projector_aim_deg", aim, 3, deg_per_rad);
+    write_array(file, "projector_aim_deg_sd", result->aim_sd_rad, 3, deg_per_rad);
     write_lens(file, "lens", cupola_lens_model_name((int)output->lens.model), output->lens.fov_rad,
                polynomial ? output->lens.k : NULL);
     write_lens(file, "lens_sd", NULL, result->fov_sd_rad, polynomial ? result->k_sd : NULL);
@@ -81,7 +81,7 @@ void solve_json_write(FILE *file, const struct solve_request *request,
     fprintf(file, "  \"residual_px\": {\"rms\": %.17g, \"worst\": %.17g},\n", result->rms_px,
             result->worst_px);
     fprintf(file, "  \"direction_sd_deg\": {\"median\": %.17g, \"worst\": %.17g},\n",
-            result->direction_sd_rad * degrees, result->worst_direction_sd_rad * degrees);
+            result->direction_sd_rad * deg_per_rad, result->worst_direction_sd_rad * deg_per_rad);
     fprintf(file, "  \"marks_used\": %d,\n  \"rejected\": [",
             request->marks->count - result->rejected);
     for (int i = 0; i < request->marks->count; i++) {

@@ -1,4 +1,5 @@
 /* What keys do. */
+#include "angles.h"
 #include "tool/tool.h"
 
 #include <math.h>
@@ -104,7 +105,7 @@ static bool try_lens(struct tool *tool, int model)
     if (model == CUPOLA_LENS_TABLE && lens->table_count >= 2)
         lens->fov_rad = 2 * lens->table[lens->table_count - 1].angle_rad;
     else if (model == CUPOLA_LENS_HEMISPHERIC)
-        lens->fov_rad = 3.14159265358979323846;
+        lens->fov_rad = pi;
     else if (model == CUPOLA_LENS_STEREOGRAPHIC)
         lens->fov_rad = 2 * 3.1;
     else if (model == CUPOLA_LENS_POLYNOMIAL)

@@ -6,9 +6,8 @@
 
 #include <cupola/dome.h>
 
+#include "angles.h"
 #include "tool/panel.h"
-
-static const double RADIANS = 3.14159265358979323846 / 180;
 
 enum {
     GAP = 6,    /* between columns on the dome, units of the letters */
@@ -52,7 +51,7 @@ static double measure_columns(const struct panel *panel, double widths[PANEL_COL
 static double draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,
                            unsigned int points, double pitch_deg, enum panel_place place)
 {
-    double pitch = pitch_deg * RADIANS, widths[PANEL_COLUMNS], height, own, sum, x;
+    double pitch = pitch_deg * rad_per_deg, widths[PANEL_COLUMNS], height, own, sum, x;
     struct dome_label label = {.direction = {0, sin(pitch), -cos(pitch)}, .ground = ground_light};
     struct panel panel;
 
@@ -81,12 +80,12 @@ static double draw_on_dome(struct dome_text *text, const struct tool *tool, cons
         x += widths[i] + GAP;
     }
     return pitch_deg +
-           atan((height * (1 - looks[place].hangs) + MARGIN) * label.unit_rad) / RADIANS;
+           atan((height * (1 - looks[place].hangs) + MARGIN) * label.unit_rad) / rad_per_deg;
 }
 
 static bool is_lit(const cupola_dome *dome, int output, double yaw_deg, double pitch_deg)
 {
-    double yaw = yaw_deg * RADIANS, pitch = pitch_deg * RADIANS, pixel[2];
+    double yaw = yaw_deg * rad_per_deg, pitch = pitch_deg * rad_per_deg, pixel[2];
     const double direction[3] = {-cos(pitch) * sin(yaw), sin(pitch), -cos(pitch) * cos(yaw)};
 
     return cupola_dome_pixel(dome, output, NULL, direction, pixel) == 1;
@@ -106,7 +105,7 @@ static double find_raised_deg(const cupola_dome *dome, int output, double low_de
             is_lit(dome, output, side_deg, up + low_deg) &&
             is_lit(dome, output, -side_deg, up + low_deg))
             return up;
-    return cupola_dome_rig(dome)->tilt_rad / RADIANS;
+    return cupola_dome_rig(dome)->tilt_rad / rad_per_deg;
 }
 
 void panels_draw_on_dome(struct dome_text *text, const struct tool *tool, const cupola_dome *dome,

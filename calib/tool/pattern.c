@@ -8,10 +8,9 @@
 
 #include <epoxy/gl.h>
 
+#include "angles.h"
 #include "calib_shaders.h"
 #include "program.h"
-
-static const double RADIANS = 3.14159265358979323846 / 180;
 
 struct patterns {
     GLuint programs[PATTERN_COUNT]; /* 0: not needed so far */
@@ -43,7 +42,8 @@ void pattern_frame(const struct tool *tool, const struct cupola_rig *rig,
 double pattern_star_spacing_rad(const struct cupola_rig *rig)
 {
     /* The outermost stars, of 7.2 degrees, lie within the screen. */
-    return fmax(fmin(rig->screen.cap_rad, 90 * RADIANS) - 8 * RADIANS, 24 * RADIANS) / 3;
+    return fmax(fmin(rig->screen.cap_rad, 90 * rad_per_deg) - 8 * rad_per_deg, 24 * rad_per_deg) /
+           3;
 }
 
 void pattern_dot(const struct tool *tool, double direction[3])

@@ -9,9 +9,8 @@
 
 #include <cupola/dome.h>
 
+#include "angles.h"
 #include "tool/pattern.h"
-
-static const double RADIANS = 3.14159265358979323846 / 180;
 
 static const float white[3] = {0.9f, 0.9f, 0.9f}, yellow[3] = {0.9f, 0.7f, 0.2f},
                    red[3] = {1.0f, 0.15f, 0.1f}, green[3] = {0.1f, 0.8f, 0.15f},
@@ -72,7 +71,7 @@ __attribute__((format(printf, 5, 6))) static void put(struct list *list, const d
 /* Off the middle and round it, from the right counter-clockwise. */
 static const double *round_middle(double off_deg, double round_deg, double v[3])
 {
-    double off = off_deg * RADIANS, round = round_deg * RADIANS;
+    double off = off_deg * rad_per_deg, round = round_deg * rad_per_deg;
 
     v[0] = sin(off) * cos(round);
     v[1] = sin(off) * sin(round);
@@ -83,7 +82,7 @@ static const double *round_middle(double off_deg, double round_deg, double v[3])
 /* To the left and above the horizon, the zenith being +Y. */
 static const double *above_horizon(double left_deg, double up_deg, double v[3])
 {
-    double left = left_deg * RADIANS, up = up_deg * RADIANS;
+    double left = left_deg * rad_per_deg, up = up_deg * rad_per_deg;
 
     v[0] = -cos(up) * sin(left);
     v[1] = sin(up);
@@ -185,13 +184,13 @@ static void label_star(struct list *list, double off_deg, double round_deg)
         put(list, v, (struct side){0, 0}, inks[i], "%d", 1 << i);
         label = &list->labels->list[list->labels->count - 1];
         label->corner[0] = (i - 2) * 10 + 1;
-        label->corner[1] = -9 * RADIANS / label->unit_rad - 6;
+        label->corner[1] = -9 * rad_per_deg / label->unit_rad - 6;
     }
 }
 
 static void label_wedges(struct list *list)
 {
-    double spacing_deg = pattern_star_spacing_rad(list->rig) / RADIANS, v[3];
+    double spacing_deg = pattern_star_spacing_rad(list->rig) / rad_per_deg, v[3];
     struct dome_label *last;
 
     label_star(list, 0, 0);
@@ -201,7 +200,7 @@ static void label_wedges(struct list *list)
     /* Under the numbers of the one in the middle. */
     put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "cycles per degree");
     last = &list->labels->list[list->labels->count - 1];
-    last->corner[1] = -9 * RADIANS / last->unit_rad - 19;
+    last->corner[1] = -9 * rad_per_deg / last->unit_rad - 19;
 }
 
 static void label_steps(struct list *list, double up_deg, int first, int step)
@@ -231,7 +230,7 @@ static void label_rim(struct list *list)
 
     list->frame.about_viewer = true; /* rays are the viewer's */
     for (int degrees = 0; degrees < 360; degrees += 90) {
-        double c = cos(degrees * RADIANS), s = sin(degrees * RADIANS);
+        double c = cos(degrees * rad_per_deg), s = sin(degrees * rad_per_deg);
         double to_frame_px =
             fabs(c) > 0.5 ? (c > 0 ? output->width_px - circle->center_x_px : circle->center_x_px)
                           : (s > 0 ? output->height_px - circle->center_y_px : circle->center_y_px);
@@ -251,7 +250,7 @@ static void label_dot(struct list *list)
 
     pattern_dot(list->tool, v);
     put(list, v, (struct side){0, -1}, white, "yaw %.1f pitch %.1f",
-        list->tool->dot_yaw_rad / RADIANS, list->tool->dot_pitch_rad / RADIANS);
+        list->tool->dot_yaw_rad / rad_per_deg, list->tool->dot_pitch_rad / rad_per_deg);
     last = &list->labels->list[list->labels->count - 1];
     last->corner[1] -= 0.5 * list->tool->dot_size_rad / last->unit_rad;
 }
@@ -260,7 +259,7 @@ double pattern_label_unit_rad(const cupola_dome *dome, int output, const double 
 {
     double height_rad = 9 * dome_pixel_rad(dome, output, direction);
 
-    return fmin(fmax(height_rad, 1.2 * RADIANS), 4 * RADIANS) / 7;
+    return fmin(fmax(height_rad, 1.2 * rad_per_deg), 4 * rad_per_deg) / 7;
 }
 
 void pattern_labels_list(const struct tool *tool, const cupola_dome *dome,

@@ -4,11 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "tool/journal.h"
 #include "tool/marks_walk.h"
 #include "tool/state.h"
-
-static const double degree_rad = 3.14159265358979323846 / 180;
 
 static bool copy_marks(const struct marks *from, struct marks *to)
 {
@@ -34,7 +33,7 @@ bool tool_open(struct tool *tool, const struct cupola_rig *rig, int output, stru
                           .theatre = *rig,
                           .output = output,
                           .step_scale = 1,
-                          .dot_size_rad = degree_rad,
+                          .dot_size_rad = 1 * rad_per_deg,
                           .mouse_px = {-1, -1},
                           .cross_px = {0.5 * shown->width_px, 0.5 * shown->height_px},
                           .shows_legend = true,
