@@ -25,6 +25,11 @@ static void about(int axis, double angle_rad, double q[9])
     q[3 * next + last] = -sin(angle_rad);
 }
 
+void rotation_from_tilt(double tilt_rad, double q[9])
+{
+    about(0, tilt_rad, q);
+}
+
 void rotation_from_aim(const struct cupola_aim *aim, double q[9])
 {
     double yaw[9], pitch[9], roll[9], tilted[9];

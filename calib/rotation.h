@@ -10,6 +10,12 @@ void rotation_from_aim(const struct cupola_aim *aim, double q[9]);
 /* The way back, exact as a rotation also where yaw and roll turn about the same axis. */
 void rotation_to_aim(const double q[9], struct cupola_aim *aim);
 
+/*
+ * R_x of a rig's tilt: from the dome's frame to that of a viewer who sits upright, in which the
+ * host's camera looks.
+ */
+void rotation_from_tilt(double tilt_rad, double q[9]);
+
 /* product = a * b; none of them the same array. */
 void rotation_multiply(const double a[9], const double b[9], double product[9]);
 

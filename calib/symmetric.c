@@ -71,20 +71,23 @@ void symmetric_eigen(int n, const double *matrix, double *values, double *vector
     }
 }
 
-bool symmetric_solve(int n, const double *matrix, double *right)
+bool symmetric_factor(int n, double *matrix, double least)
 {
-    double l[SYMMETRIC_MAX * SYMMETRIC_MAX];
-
     for (int i = 0; i < n; i++) {
         for (int j = 0; j <= i; j++) {
             double sum = matrix[n * i + j];
             for (int k = 0; k < j; k++)
-                sum -= l[n * i + k] * l[n * j + k];
-            if (i == j && !(sum > 0))
+                sum -= matrix[n * i + k] * matrix[n * j + k];
+            if (i == j && !(sum > least * matrix[n * i + i]))
                 return false;
-            l[n * i + j] = i == j ? sqrt(sum) : sum / l[n * j + j];
+            matrix[n * i + j] = i == j ? sqrt(sum) : sum / matrix[n * j + j];
         }
     }
+    return true;
+}
+
+void symmetric_substitute(int n, const double *l, double *right)
+{
     for (int i = 0; i < n; i++) {
         for (int k = 0; k < i; k++)
             right[i] -= l[n * i + k] * right[k];
@@ -95,5 +98,15 @@ bool symmetric_solve(int n, const double *matrix, double *right)
             right[i] -= l[n * k + i] * right[k];
         right[i] /= l[n * i + i];
     }
+}
+
+bool symmetric_solve(int n, const double *matrix, double *right)
+{
+    double l[SYMMETRIC_MAX * SYMMETRIC_MAX];
+
+    memcpy(l, matrix, (size_t)(n * n) * sizeof *l);
+    if (!symmetric_factor(n, l, 0))
+        return false;
+    symmetric_substitute(n, l, right);
     return true;
 }

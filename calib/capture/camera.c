@@ -101,7 +101,7 @@ void camera_aim(struct camera *camera, double tilt_rad, const struct cupola_aim 
 {
     double untilt[9], turn[9];
 
-    rotation_from_aim(&(struct cupola_aim){.pitch_rad = -tilt_rad}, untilt);
+    rotation_from_tilt(-tilt_rad, untilt);
     rotation_from_aim(aim, turn);
     rotation_multiply(untilt, turn, camera->rotation);
 }
@@ -110,7 +110,7 @@ void camera_aim_of(const struct camera *camera, double tilt_rad, struct cupola_a
 {
     double tilt[9], turn[9];
 
-    rotation_from_aim(&(struct cupola_aim){.pitch_rad = tilt_rad}, tilt);
+    rotation_from_tilt(tilt_rad, tilt);
     rotation_multiply(tilt, camera->rotation, turn);
     rotation_to_aim(turn, aim);
 }
@@ -152,21 +152,19 @@ bool camera_ray(const struct camera *camera, const double place_px[2], double ra
     bool inside = own_ray(camera, place_px, own);
 
     length = sqrt(own[0] * own[0] + own[1] * own[1] + own[2] * own[2]);
+    rotation_apply(camera->rotation, own, ray);
     for (int i = 0; i < 3; i++)
-        ray[i] = (camera->rotation[3 * i] * own[0] + camera->rotation[3 * i + 1] * own[1] +
-                  camera->rotation[3 * i + 2] * own[2]) /
-                 length;
+        ray[i] /= length;
     return inside;
 }
 
 bool camera_place(const struct camera *camera, const double point_m[3], double place_px[2])
 {
-    double own[3] = {0};
+    double way_m[3], own[3];
 
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            own[i] += camera->rotation[3 * k + i] * (point_m[k] - camera->position_m[k]);
-    }
+    for (int i = 0; i < 3; i++)
+        way_m[i] = point_m[i] - camera->position_m[i];
+    rotation_apply_back(camera->rotation, way_m, own);
     if (camera->kind == CAMERA_FISHEYE)
         return cupola_output_pixel(&camera->fisheye, own, place_px, NULL) == 1;
     if (camera->kind == CAMERA_RECTILINEAR) {

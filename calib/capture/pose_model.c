@@ -74,14 +74,13 @@ static void patch_residual(const struct pose_model *model, const struct patch *p
                            const struct camera *camera, const double projector_m[3],
                            const double turn[9], double residual[2])
 {
-    double ray[3], point[3], own[3] = {0}, place[2] = {1e4, 1e4};
+    double ray[3], point[3], own[3], place[2] = {1e4, 1e4};
 
     camera_ray(camera, patch->camera_px, ray);
     camera_meets_sphere(camera->position_m, ray, model->request->rig->screen.radius_m, point);
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++)
-            own[i] += turn[3 * k + i] * (point[k] - projector_m[k]);
-    }
+    for (int i = 0; i < 3; i++)
+        point[i] -= projector_m[i];
+    rotation_apply_back(turn, point, own);
     cupola_output_pixel(&model->lens, own, place, NULL);
     for (int k = 0; k < 2; k++)
         residual[k] = (place[k] - patch->projector_px[k]) / model->patch_sd_px;

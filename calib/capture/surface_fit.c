@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "order.h"
+#include "symmetric.h"
 
 static void terms_at(const double at[2], double terms[SURFACE_TERMS])
 {
@@ -17,39 +18,6 @@ static void terms_at(const double at[2], double terms[SURFACE_TERMS])
     terms[5] = at[1] * at[1];
 }
 
-/* In place: the lower triangle of L with L L' = a. */
-static bool factor(double a[SURFACE_TERMS][SURFACE_TERMS])
-{
-    for (int j = 0; j < SURFACE_TERMS; j++) {
-        double whole = a[j][j];
-        for (int k = 0; k < j; k++)
-            a[j][j] -= a[j][k] * a[j][k];
-        if (!(a[j][j] > 1e-9 * whole))
-            return false;
-        a[j][j] = sqrt(a[j][j]);
-        for (int i = j + 1; i < SURFACE_TERMS; i++) {
-            for (int k = 0; k < j; k++)
-                a[i][j] -= a[i][k] * a[j][k];
-            a[i][j] /= a[j][j];
-        }
-    }
-    return true;
-}
-
-static void substitute(double l[SURFACE_TERMS][SURFACE_TERMS], double x[SURFACE_TERMS])
-{
-    for (int i = 0; i < SURFACE_TERMS; i++) {
-        for (int k = 0; k < i; k++)
-            x[i] -= l[i][k] * x[k];
-        x[i] /= l[i][i];
-    }
-    for (int i = SURFACE_TERMS - 1; i >= 0; i--) {
-        for (int k = i + 1; k < SURFACE_TERMS; k++)
-            x[i] -= l[k][i] * x[k];
-        x[i] /= l[i][i];
-    }
-}
-
 struct solution {
     double surface[2][SURFACE_TERMS];
     double middle_variance; /* for samples of variance 1 */
@@ -57,7 +25,7 @@ struct solution {
 
 static bool solve_once(const struct surface_sample *samples, int count, struct solution *solution)
 {
-    double normal[SURFACE_TERMS][SURFACE_TERMS] = {{0}};
+    double normal[SURFACE_TERMS * SURFACE_TERMS] = {0};
     double unit[SURFACE_TERMS] = {1};
 
     memset(solution, 0, sizeof *solution);
@@ -68,16 +36,16 @@ static bool solve_once(const struct surface_sample *samples, int count, struct s
         terms_at(samples[s].at, terms);
         for (int i = 0; i < SURFACE_TERMS; i++) {
             for (int j = 0; j <= i; j++)
-                normal[i][j] += terms[i] * terms[j];
+                normal[SURFACE_TERMS * i + j] += terms[i] * terms[j];
             for (int k = 0; k < 2; k++)
                 solution->surface[k][i] += terms[i] * samples[s].place[k];
         }
     }
-    if (!factor(normal))
+    if (!symmetric_factor(SURFACE_TERMS, normal, 1e-9))
         return false;
-    substitute(normal, solution->surface[0]);
-    substitute(normal, solution->surface[1]);
-    substitute(normal, unit);
+    symmetric_substitute(SURFACE_TERMS, normal, solution->surface[0]);
+    symmetric_substitute(SURFACE_TERMS, normal, solution->surface[1]);
+    symmetric_substitute(SURFACE_TERMS, normal, unit);
     solution->middle_variance = unit[0];
     return true;
 }

@@ -1,4 +1,4 @@
-/* Lists of what is solved for. */
+/* Names of what is solved for. */
 #include <stdio.h>
 #include <string.h>
 
@@ -12,6 +12,13 @@ const char *solve_free_name(int index)
     const int count = sizeof names / sizeof *names;
 
     return index >= 0 && index < count ? names[index] : NULL;
+}
+
+const char *solve_flip_name(int flip)
+{
+    static const char *const names[] = {"none", "x", "y", "xy"};
+
+    return names[flip & 3];
 }
 
 bool solve_free_parse(const char *option, const char *text, int *free, char *message)

@@ -106,12 +106,19 @@ static double find_reach(const struct plot *plot)
     return reach;
 }
 
-/* 1, 2 or 5 times a power of ten, so that half of the arrows are longer than 25 pixels. */
+/* The next lower 1, 2 or 5 times a power of ten. */
+static double round_down(double wished)
+{
+    double power = pow(10, floor(log10(wished)));
+
+    return wished / power >= 5 ? 5 * power : wished / power >= 2 ? 2 * power : power;
+}
+
+/* A round number, so that half of the arrows are longer than 25 pixels. */
 static double find_factor(const struct plot *plot)
 {
     int count = plot->request->marks->count, used = 0;
     double *lengths = malloc((size_t)count * sizeof *lengths);
-    double factor = 1;
 
     for (int i = 0; i < count && lengths; i++) {
         double from[2], to[2];
@@ -121,9 +128,7 @@ static double find_factor(const struct plot *plot)
     }
     double wished = lengths ? 25 / fmax(order_ranked(lengths, used, (used + 1) / 2), 1e-6) : 1;
     free(lengths);
-    double power = pow(10, floor(log10(wished)));
-    factor = wished / power >= 5 ? 5 * power : wished / power >= 2 ? 2 * power : power;
-    return fmin(fmax(factor, 1), 1e6);
+    return fmin(fmax(round_down(wished), 1), 1e6);
 }
 
 /* Named as in the tool: latitude, 90 at the dome's axis and 0 where a hemisphere ends. */
@@ -199,13 +204,12 @@ static void draw_mark(const struct plot *plot, int index)
                   color);
 }
 
-/* A length of the arrows in degrees on the dome, 1, 2 or 5 times a power of ten. */
+/* A length of the arrows in degrees on the dome. */
 static void draw_legend(const struct plot *plot)
 {
     static const double black[] = {0, 0, 0}, red[] = {0.85, 0.1, 0.1}, green[] = {0.2, 0.6, 0.3};
     double wished = 120 / (px_per_rad(plot) / deg_per_rad * plot->factor);
-    double power = pow(10, floor(log10(wished)));
-    double bar = wished / power >= 5 ? 5 * power : wished / power >= 2 ? 2 * power : power;
+    double bar = round_down(wished);
     double length = bar * px_per_rad(plot) / deg_per_rad * plot->factor, y = SIZE + 10;
     char text[200];
 

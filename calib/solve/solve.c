@@ -92,13 +92,6 @@ static bool begin(struct solving *solving)
     return true;
 }
 
-static const char *flip_name(int flip)
-{
-    static const char *const names[] = {"none", "x", "y", "xy"};
-
-    return names[flip & 3];
-}
-
 /* Mirrored both ways is turned by 180 degrees: the same with the least change of roll. */
 static void turn_least(const struct solving *solving, struct cupola_output *output)
 {
@@ -147,15 +140,15 @@ static bool find(struct solving *solving)
     char same[80] = "";
     if (solving->model.free & SOLVE_AIM)
         snprintf(same, sizeof same, " (the same as \"%s\" with 180 degrees more of roll)",
-                 flip_name(is ^ (CUPOLA_FLIP_X | CUPOLA_FLIP_Y)));
+                 solve_flip_name(is ^ (CUPOLA_FLIP_X | CUPOLA_FLIP_Y)));
     if (!solving->request.flips)
         return refuse(solving,
                       "the marks fit %.3g times better with the picture mirrored otherwise, flip "
                       "\"%s\" instead of \"%s\"%s; allowed: that flip in the rig, or --flips",
-                      solving->error_px / fmax(mirrored_px, 1e-6), flip_name(is), flip_name(was),
-                      same);
-    warn(solving->result, "the picture is mirrored: flip \"%s\" instead of \"%s\"%s", flip_name(is),
-         flip_name(was), same);
+                      solving->error_px / fmax(mirrored_px, 1e-6), solve_flip_name(is),
+                      solve_flip_name(was), same);
+    warn(solving->result, "the picture is mirrored: flip \"%s\" instead of \"%s\"%s",
+         solve_flip_name(is), solve_flip_name(was), same);
     solving->model = mirrored;
     solving->error_px = mirrored_px;
     return true;

@@ -71,13 +71,12 @@ void solve_json_write(FILE *file, const struct solve_request *request,
                       const struct solve_result *result)
 {
     const struct cupola_output *output = &result->rig.outputs[request->output];
-    static const char *const flips[] = {"none", "x", "y", "xy"};
     int written = 0;
     const char *name;
 
     fputs("{\n", file);
     write_values(file, output, result);
-    fprintf(file, "  \"flip\": \"%s\",\n", flips[output->flip & 3]);
+    fprintf(file, "  \"flip\": \"%s\",\n", solve_flip_name((int)output->flip));
     fprintf(file, "  \"residual_px\": {\"rms\": %.17g, \"worst\": %.17g},\n", result->rms_px,
             result->worst_px);
     fprintf(file, "  \"direction_sd_deg\": {\"median\": %.17g, \"worst\": %.17g},\n",

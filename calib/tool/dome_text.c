@@ -14,6 +14,7 @@
 #include "calib_shaders.h"
 #include "option_values.h"
 #include "program.h"
+#include "rotation.h"
 
 enum { KEPT = 160, TEXELS = 4 /* per unit */, SAMPLES = 5 /* of a rectangle, each way */ };
 
@@ -194,11 +195,10 @@ static bool normalise(double v[3])
 /* From the host's camera frame to the dome frame: R_x(-tilt). */
 static void to_dome(const struct cupola_rig *rig, const double v[3], double dome[3])
 {
-    double c = cos(rig->tilt_rad), s = sin(rig->tilt_rad);
+    double tilt[9];
 
-    dome[0] = v[0];
-    dome[1] = c * v[1] + s * v[2];
-    dome[2] = -s * v[1] + c * v[2];
+    rotation_from_tilt(rig->tilt_rad, tilt);
+    rotation_apply_back(tilt, v, dome);
 }
 
 /* Level as the viewer sees it; straight up or down as if the head had been raised or lowered. */

@@ -11,6 +11,7 @@
 #include "angles.h"
 #include "calib_shaders.h"
 #include "program.h"
+#include "rotation.h"
 
 struct patterns {
     GLuint programs[PATTERN_COUNT]; /* 0: not needed so far */
@@ -28,14 +29,11 @@ static const char *const lights[PATTERN_COUNT] = {
 void pattern_frame(const struct tool *tool, const struct cupola_rig *rig,
                    struct pattern_frame *frame)
 {
-    double c = cos(rig->tilt_rad), s = sin(rig->tilt_rad);
-    const double tilt[9] = {1, 0, 0, 0, c, -s, 0, s, c};
-
     *frame = (struct pattern_frame){.to_pattern = {1, 0, 0, 0, 1, 0, 0, 0, 1}};
     if (tool->pattern == PATTERN_RIM || (tool->pattern != PATTERN_DOT && tool->about == ABOUT_DOME))
         return;
     frame->about_viewer = true;
-    memcpy(frame->to_pattern, tilt, sizeof tilt);
+    rotation_from_tilt(rig->tilt_rad, frame->to_pattern);
     memcpy(frame->origin_m, rig->eye_m, sizeof frame->origin_m);
 }
 

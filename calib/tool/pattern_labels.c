@@ -10,6 +10,7 @@
 #include <cupola/dome.h>
 
 #include "angles.h"
+#include "rotation.h"
 #include "tool/pattern.h"
 
 static const float white[3] = {0.9f, 0.9f, 0.9f}, yellow[3] = {0.9f, 0.7f, 0.2f},
@@ -34,7 +35,7 @@ struct side {
 static void direction_of(const struct list *list, const double v[3], double direction[3])
 {
     const struct cupola_rig *rig = list->rig;
-    double c = cos(rig->tilt_rad), s = sin(rig->tilt_rad), seen[3];
+    double tilt[9], seen[3];
 
     if (list->frame.about_viewer) {
         memcpy(direction, v, 3 * sizeof *v);
@@ -42,9 +43,8 @@ static void direction_of(const struct list *list, const double v[3], double dire
     }
     for (int i = 0; i < 3; i++)
         seen[i] = rig->screen.radius_m * v[i] - rig->eye_m[i];
-    direction[0] = seen[0];
-    direction[1] = c * seen[1] - s * seen[2];
-    direction[2] = s * seen[1] + c * seen[2];
+    rotation_from_tilt(rig->tilt_rad, tilt);
+    rotation_apply(tilt, seen, direction);
 }
 
 __attribute__((format(printf, 5, 6))) static void put(struct list *list, const double v[3],
