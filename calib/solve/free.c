@@ -18,7 +18,7 @@ const char *solve_flip_name(int flip)
 {
     static const char *const names[] = {"none", "x", "y", "xy"};
 
-    return names[flip & 3];
+    return flip >= 0 && flip < 4 ? names[flip] : NULL;
 }
 
 bool solve_free_parse(const char *option, const char *text, int *free, char *message)

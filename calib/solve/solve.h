@@ -74,7 +74,7 @@ bool solve_free_parse(const char *option, const char *text, int *free, char *mes
 /* The names of such lists by index, and NULL beyond; what the index-th stands for is 1 << index. */
 const char *solve_free_name(int index);
 
-/* "none", "x", "y" or "xy" of CUPOLA_FLIP_X and CUPOLA_FLIP_Y. */
+/* "none", "x", "y" or "xy" by CUPOLA_FLIP_X and CUPOLA_FLIP_Y, as in rig files; NULL beyond. */
 const char *solve_flip_name(int flip);
 
 /* The command: cupola-calib solve ... Returns its exit status. */

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "solve/solve.h"
 #include "tool/marks_walk.h"
 #include "tool/tool.h"
 
@@ -261,17 +262,10 @@ bool parameter_set(struct tool *tool, enum parameter parameter, double value)
     return false;
 }
 
-static const char *flip_name(int flip)
-{
-    static const char *const names[] = {"none", "x", "y", "xy"};
-
-    return flip >= 0 && flip < 4 ? names[flip] : NULL;
-}
-
 const char *parameter_word(enum parameter parameter, int value)
 {
     return parameter == PARAMETER_LENS   ? cupola_lens_model_name(value)
-           : parameter == PARAMETER_FLIP ? flip_name(value)
+           : parameter == PARAMETER_FLIP ? solve_flip_name(value)
                                          : NULL;
 }
 
@@ -320,7 +314,7 @@ bool parameter_parse(enum parameter parameter, const char *text, double *value, 
     if (!is_lens && parse_number(text, value))
         return true;
     if (is_lens || parameter == PARAMETER_FLIP) {
-        if (!value_name(&context, text, is_lens ? cupola_lens_model_name : flip_name, &word))
+        if (!value_name(&context, text, is_lens ? cupola_lens_model_name : solve_flip_name, &word))
             return false;
         *value = word;
         return true;
