@@ -1,14 +1,18 @@
 /* The command `capture`: what its own commands share, and its patterns. */
 #include "capture/command.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cupola/rig_file.h>
 
 #include "capture/capture.h"
 #include "capture/folder.h"
+#include "capture/light.h"
 #include "option_values.h"
+#include "short_path.h"
 #include "status.h"
 
 int capture_rig(const struct capture_options *options, struct cupola_rig *rig, char *message)
@@ -77,8 +81,42 @@ int capture_camera(const struct capture_options *options, const struct cupola_ri
     return STATUS_OK;
 }
 
-static bool write_pattern(const struct capture_options *options, const struct series *series,
-                          int number, char *message)
+/* Whether two pictures are the same in files of 8 bits. */
+static bool same_pictures(const struct photo *a, const struct photo *b)
+{
+    size_t count = (size_t)a->width * (size_t)a->height;
+
+    if (a->width != b->width || a->height != b->height)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        if (lround(255 * light_encode((double)a->light[i])) !=
+            lround(255 * light_encode((double)b->light[i])))
+            return false;
+    }
+    return true;
+}
+
+/* Photographs have the names of their patterns: such a one must not be lost. */
+static bool keeps_pattern(const char *path, const struct photo *picture, char *message)
+{
+    struct photo there;
+    bool same;
+
+    if (access(path, F_OK) != 0)
+        return true;
+    same = photo_read(path, PHOTO_SRGB, &there, message) && same_pictures(&there, picture);
+    photo_free(&there);
+    if (!same)
+        snprintf(message, MESSAGE_SIZE,
+                 "--folder: %s is there and is not the pattern of that name; allowed: a folder "
+                 "without pictures, or with just these patterns",
+                 short_path(path).text);
+    return same;
+}
+
+/* Looks whether a pattern may be written, or writes it. */
+static bool place_pattern(const struct capture_options *options, const struct series *series,
+                          int number, bool write, char *message)
 {
     char name[SERIES_NAME_MAX + 1], path[PATH_MAX];
     struct photo picture;
@@ -88,9 +126,23 @@ static bool write_pattern(const struct capture_options *options, const struct se
     if (!folder_path(options->folder, name, ".png", path, message) ||
         !capture_picture(series, number, &picture, message))
         return false;
-    done = photo_write(path, &picture, PHOTO_PNG8, message);
+    done = write ? photo_write(path, &picture, PHOTO_PNG8, message)
+                 : keeps_pattern(path, &picture, message);
     photo_free(&picture);
     return done;
+}
+
+/* All or, where one would be lost, none. */
+static bool write_patterns(const struct capture_options *options, const struct series *series,
+                           char *message)
+{
+    int count = series_count(series);
+
+    for (int i = 0; i < 2 * count; i++) {
+        if (!place_pattern(options, series, i % count, i >= count, message))
+            return false;
+    }
+    return folder_write_series(options->folder, series, message);
 }
 
 int capture_patterns(const struct capture_options *options, char *message)
@@ -113,13 +165,8 @@ int capture_patterns(const struct capture_options *options, char *message)
     if (!folder_differs("a picture", options->folder, ".png", true, &series, &rig_file, 1, message))
         return STATUS_USAGE;
     if (!folder_is_for("--folder", options->folder, ".png", &series, message) ||
-        !folder_make("--folder", options->folder, message))
-        return STATUS_FAILED;
-    for (int i = 0; i < series_count(&series); i++) {
-        if (!write_pattern(options, &series, i, message))
-            return STATUS_FAILED;
-    }
-    if (!folder_write_series(options->folder, &series, message))
+        !folder_make("--folder", options->folder, message) ||
+        !write_patterns(options, &series, message))
         return STATUS_FAILED;
     printf("%d patterns of %dx%d px in %s: sines of %d px in %d steps, %d + %d bits of Gray code\n",
            series_count(&series), series.size_px[0], series.size_px[1], options->folder,

@@ -55,6 +55,17 @@ int capture_run(const char *line, char *message)
     return status == STATUS_OK ? commands[options.command](&options, message) : status;
 }
 
+void capture_refuse(const char *line, int status, const char *reason)
+{
+    char message[MESSAGE_SIZE];
+
+    assert_int_equal(capture_run(line, message), status);
+    if (!strstr(message, reason))
+        fail_msg("%s: '%s' does not say '%s'", line, message, reason);
+    assert_null(strchr(message, '\n'));
+    assert_int_not_equal(access("m.csv", F_OK), 0);
+}
+
 void capture_write_rig(const char *path, const struct cupola_rig *rig)
 {
     struct cupola_error error = {0};

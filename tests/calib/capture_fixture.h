@@ -16,6 +16,9 @@ int capture_leave_directory(void **state);
  */
 int capture_run(const char *line, char *message);
 
+/* The same with this exit status and a reason within one line, and without a file m.csv. */
+void capture_refuse(const char *line, int status, const char *reason);
+
 void capture_write_rig(const char *path, const struct cupola_rig *rig);
 
 /* Writes a PFM photograph NAME.pfm into a folder for each picture of a series: light(i, j) */
