@@ -28,7 +28,7 @@ struct flaw {
 };
 
 /* The first two stand for all of them. */
-static const double holes[] = {0, NAN, HUGE_VAL, -HUGE_VAL};
+static const double holes[] = {0, (double)NAN, HUGE_VAL, -HUGE_VAL};
 
 static bool same_picture(const struct series_picture *a, const struct series_picture *b)
 {
