@@ -202,12 +202,16 @@ const char *certainty_weak(const struct model *model, const struct certainty *ce
     return NULL;
 }
 
-/* From the covariance of a small rotation to those of yaw, pitch and roll. */
+/*
+ * From the covariance of a small rotation to those of yaw, pitch and roll, and of the one turn that
+ * yaw and roll come to where the lens looks along +-Y.
+ */
 static void report_aim(const struct model *model, const struct certainty *certainty, int first,
-                       double sd_rad[3])
+                       double sd_rad[4])
 {
-    const double step = 1e-6;
-    double change[3][3] = {{0}};
+    enum { YAW, PITCH, ROLL, TURN, WAYS };
+    const double step = 1e-6, whole_rad = 360 * rad_per_deg;
+    double change[WAYS][3], sign = model->base.output.aim.pitch_rad < 0 ? 1 : -1;
     struct model_base side[2];
 
     for (int k = 0; k < 3; k++) {
@@ -217,11 +221,13 @@ static void report_aim(const struct model *model, const struct certainty *certai
             model_apply(model, x, &side[s]);
         }
         const struct cupola_aim *low = &side[0].output.aim, *high = &side[1].output.aim;
-        change[0][k] = remainder(high->yaw_rad - low->yaw_rad, 360 * rad_per_deg) / (2 * step);
-        change[1][k] = (high->pitch_rad - low->pitch_rad) / (2 * step);
-        change[2][k] = remainder(high->roll_rad - low->roll_rad, 360 * rad_per_deg) / (2 * step);
+        double yaw = high->yaw_rad - low->yaw_rad, roll = high->roll_rad - low->roll_rad;
+        change[YAW][k] = remainder(yaw, whole_rad) / (2 * step);
+        change[PITCH][k] = (high->pitch_rad - low->pitch_rad) / (2 * step);
+        change[ROLL][k] = remainder(roll, whole_rad) / (2 * step);
+        change[TURN][k] = remainder(yaw + sign * roll, whole_rad) / (2 * step);
     }
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < WAYS; i++) {
         double sum = 0;
         for (int k = 0; k < 9; k++)
             sum += change[i][k / 3] * change[i][k % 3] *
@@ -233,6 +239,8 @@ static void report_aim(const struct model *model, const struct certainty *certai
 bool certainty_report(const struct model *model, const struct certainty *certainty,
                       struct solve_result *result, int output)
 {
+    double aim_sd_rad[4] = {0};
+
     for (int i = 0; i < certainty->count; i++) {
         double sd = certainty->noise_px * certainty->units[i] *
                     sqrt(certainty->covariance[(certainty->count + 1) * i]);
@@ -246,10 +254,12 @@ bool certainty_report(const struct model *model, const struct certainty *certain
         else if (value <= VALUE_Z)
             result->position_sd_m[value - VALUE_X] = sd;
         else if (value == VALUE_AIM_X)
-            report_aim(model, certainty, i, result->aim_sd_rad);
+            report_aim(model, certainty, i, aim_sd_rad);
         else if (value == VALUE_RADIUS)
             result->radius_sd_m = sd;
     }
+    memcpy(result->aim_sd_rad, aim_sd_rad, sizeof result->aim_sd_rad);
+    result->turn_sd_rad = aim_sd_rad[3];
     result->noise_px = certainty->noise_px;
     return view_certainty_find(model, certainty, result, output);
 }

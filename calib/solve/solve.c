@@ -288,6 +288,24 @@ static void warn_of_sd(struct solving *solving, const struct certainty *certaint
         warn(result, "%d marks for %d values: their sd are rough", kept, certainty->count);
 }
 
+/* Near a pitch of +-90 degrees yaw and roll are one turn, which the marks may tell well. */
+static void warn_of_pole(struct solving *solving)
+{
+    struct solve_result *result = solving->result;
+    const struct cupola_aim *aim = &solving->model.base.output.aim;
+    const double much_better = 5;
+    bool above = aim->pitch_rad > 0;
+    double turn_rad = remainder(aim->yaw_rad + (above ? -1 : 1) * aim->roll_rad, 2 * pi);
+
+    if (fmin(result->aim_sd_rad[0], result->aim_sd_rad[2]) > much_better * result->turn_sd_rad)
+        warn(
+            result,
+            "at a pitch of %.3g degrees yaw and roll turn about nearly the same axis: their sd are "
+            "large, and what counts is yaw %s roll, %.6g degrees (sd %.3g)",
+            aim->pitch_rad * deg_per_rad, above ? "less" : "plus", turn_rad * deg_per_rad,
+            result->turn_sd_rad * deg_per_rad);
+}
+
 /* Marks that fit badly because of what is not free. */
 static void warn_of_misfit(struct solving *solving)
 {
@@ -324,6 +342,7 @@ static void warn_all(struct solving *solving, const struct certainty *certainty)
     while ((name = certainty_weak(&solving->model, certainty, &at)))
         warn(solving->result, "the marks tell %s only roughly: see its sd", name);
     warn_of_sd(solving, certainty);
+    warn_of_pole(solving);
     warn_of_misfit(solving);
 }
 

@@ -41,6 +41,7 @@ struct solve_result {
     int free;              /* of enum solve_free */
     double position_sd_m[3];
     double aim_sd_rad[3]; /* yaw, pitch, roll */
+    double turn_sd_rad;   /* of yaw less roll where pitch is above 0, of their sum elsewhere */
     double fov_sd_rad;
     double k_sd[4];
     double circle_sd_px[3]; /* centre, radius */

@@ -2,6 +2,7 @@
  * Solving from bad starts and from bad marks: what is found all the same, and that nothing is
  * thrown away that was good.
  */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,22 +63,36 @@ static void a_start_may_be_wrong_by_30_degrees_and_half_a_turn(void **state)
 }
 
 /* A rotation that turns the whole theatre, screen, marks and all, so that the lens looks up. */
-static void turn_up(double p[3])
+static void turn_up(double p[3], bool up)
 {
     double y = p[1];
 
-    p[1] = -p[2];
-    p[2] = y;
+    p[1] = up ? -p[2] : p[2];
+    p[2] = up ? y : -y;
 }
 
-static void a_lens_may_look_straight_up(void **state)
+/* What is noted of yaw and roll near a pitch of +-90 degrees; false: nothing is. */
+static bool read_turn(const struct solve_result *result, const char *how, double *turn, double *sd)
+{
+    for (int i = 0; i < result->warning_count; i++) {
+        const char *at = strstr(result->warnings[i], "what counts is yaw ");
+        char word[5];
+        if (at &&
+            sscanf(at, "what counts is yaw %4s roll, %lf degrees (sd %lf)", word, turn, sd) == 3)
+            return strcmp(word, how) == 0;
+    }
+    return false;
+}
+
+static void a_lens_may_look_straight_up_or_down(void **state)
 {
     (void)state;
     for (uint64_t seed = 0; seed < 10; seed++) {
         struct theatre theatre;
         struct solve_result result;
         char message[MESSAGE_SIZE] = "";
-        double median, worst;
+        double median, worst, turn_deg = 0, sd_deg = 0;
+        bool up = seed % 2;
         theatre_random(seed + 900, &theatre);
         theatre.truth.outputs[0].aim = (struct cupola_aim){0, 0, 0.3};
         theatre.truth.screen.cap_rad = 180 * degree;
@@ -85,18 +100,29 @@ static void a_lens_may_look_straight_up(void **state)
             theatre_pixel(&theatre.truth, &theatre.list[i], MARKS_DIRECTIONS,
                           theatre.list[i].pixel_px);
         theatre_add_noise(&theatre, NOISE_PIXELS, 1, seed);
+        const struct solve_request level = {&theatre.truth, 0, &theatre.marks};
+        assert_true(solve(&level, &result, message));
+        assert_false(read_turn(&result, "", &turn_deg, &sd_deg)); /* the control */
+        assert_true(sd_deg == 0);
+        double roll_sd_rad = result.aim_sd_rad[2];
+        solve_result_free(&result);
+
         for (int i = 0; i < THEATRE_MARKS; i++)
-            turn_up(theatre.list[i].place);
-        turn_up(theatre.truth.outputs[0].position_m);
-        theatre.truth.outputs[0].aim = (struct cupola_aim){0, 90 * degree, 0.3};
+            turn_up(theatre.list[i].place, up);
+        turn_up(theatre.truth.outputs[0].position_m, up);
+        theatre.truth.outputs[0].aim = (struct cupola_aim){0, (up ? 90 : -90) * degree, 0.3};
         struct cupola_rig start = theatre.truth;
-        start.outputs[0].aim = (struct cupola_aim){0.5, 1.2, -0.4};
+        start.outputs[0].aim = (struct cupola_aim){0.5, up ? 1.2 : -1.2, -0.4};
         const struct solve_request request = {&start, 0, &theatre.marks};
         if (!solve(&request, &result, message))
             fail_msg("%s", message);
         theatre_direction_error(&theatre, &result.rig, &median, &worst);
         check_at_most(worst, 0.4 * degree);
         assert_int_equal(result.rejected, 0);
+        /* The turn is the roll of before, and as well known. */
+        assert_true(read_turn(&result, up ? "less" : "plus", &turn_deg, &sd_deg));
+        check_near(turn_deg * degree, up ? -0.3 : 0.3, 5 * sd_deg * degree);
+        check_near(sd_deg * degree / roll_sd_rad, 1, 0.1);
         solve_result_free(&result);
     }
 }
@@ -248,7 +274,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_start_may_be_wrong_by_30_degrees_and_half_a_turn),
-        cmocka_unit_test(a_lens_may_look_straight_up),
+        cmocka_unit_test(a_lens_may_look_straight_up_or_down),
         cmocka_unit_test(marks_without_errors_give_the_truth),
         cmocka_unit_test(a_fifth_of_the_marks_may_be_wrong),
         cmocka_unit_test(few_good_marks_are_not_rejected),
