@@ -9,18 +9,23 @@
 #include "tool/journal.h"
 #include "tool/marks_walk.h"
 #include "tool/state.h"
+#include "whole_file.h"
 
 bool tool_save(struct tool *tool, const char *rig_path)
 {
     struct cupola_error error = {0};
+    struct whole_file marks = {0};
     /* Also where all were forgotten: the file would keep them. */
     bool writes_marks = marks_walk_steered(tool) > 0 || tool_marks_differ(tool);
 
+    if (writes_marks && !marks_settle(&marks, tool->marks_path, &tool->marks, tool->warning))
+        return false;
     if (cupola_rig_write(rig_path, &tool->rig, &error) < 0) {
+        whole_file_abort(&marks);
         snprintf(tool->warning, MESSAGE_SIZE, "%s", error.message);
         return false;
     }
-    if (writes_marks && !marks_write(tool->marks_path, &tool->marks, tool->warning))
+    if (writes_marks && !whole_file_end(&marks, tool->warning))
         return false;
     tool->warning[0] = '\0';
     if (writes_marks)

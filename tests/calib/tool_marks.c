@@ -1,4 +1,6 @@
 /* Marks: the cross-hair starts where the rig predicts it, and goes on from there. */
+#include <sys/stat.h>
+
 #include <cupola/dome.h>
 #include <cupola/projection.h>
 #include <cupola/rig_file.h>
@@ -134,6 +136,30 @@ static void saving_writes_what_reads_back(void **state)
     assert_false(tool.unsaved);
     assert_false(tool_save(&tool, "there/is/no/folder.cfg"));
     assert_true(tool.warning[0]);
+    tool_close(&tool);
+}
+
+static void rig_and_marks_are_saved_together_or_not_at_all(void **state)
+{
+    struct tool tool;
+
+    (void)state;
+    unlink("together.cfg");
+    unlink("marks-steered.csv");
+    open_with_marks(&tool, three_marks());
+    tool_key(&tool, GLFW_KEY_ENTER, 0);
+    assert_false(tool_save(&tool, "there/is/no/folder.cfg"));
+    assert_int_not_equal(access("marks-steered.csv", F_OK), 0);
+    assert_int_equal(mkdir("marks-steered.csv", 0777), 0);
+    assert_false(tool_save(&tool, "together.cfg"));
+    assert_non_null(strstr(tool.warning, "marks-steered.csv"));
+    assert_int_not_equal(access("together.cfg", F_OK), 0);
+    assert_true(tool.unsaved);
+    assert_int_equal(rmdir("marks-steered.csv"), 0);
+    assert_true(tool_save(&tool, "together.cfg"));
+    assert_int_equal(access("marks-steered.csv", F_OK), 0);
+    assert_int_equal(access("together.cfg", F_OK), 0);
+    unlink("together.cfg");
     tool_close(&tool);
 }
 
@@ -357,6 +383,7 @@ int main(void)
         cmocka_unit_test(enter_takes_the_pixel_and_goes_to_the_next),
         cmocka_unit_test(names_that_cannot_be_drawn_are_numbers),
         cmocka_unit_test(saving_writes_what_reads_back),
+        cmocka_unit_test(rig_and_marks_are_saved_together_or_not_at_all),
         cmocka_unit_test(forgetting_all_is_saved_like_any_change),
         cmocka_unit_test(marks_that_cannot_be_written_are_unsaved),
         cmocka_unit_test(with_another_rig_the_marks_are_saved_too),
