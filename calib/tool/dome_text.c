@@ -276,6 +276,17 @@ static bool find_box(const struct cupola_rig *rig, int output, const struct plan
     return true;
 }
 
+bool dome_label_box(const struct cupola_rig *rig, int output, const struct dome_label *label,
+                    int box[4])
+{
+    double size[2] = {label->size[0], label->size[1]};
+    struct plane plane;
+
+    if (label->text)
+        dome_text_size(label->text, &size[0], &size[1]);
+    return find_plane(rig, label, size, &plane) && find_box(rig, output, &plane, box);
+}
+
 static GLint place(GLuint program, const char *name)
 {
     return glGetUniformLocation(program, name);

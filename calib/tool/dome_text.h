@@ -20,6 +20,7 @@ struct dome_label {
     double size[2];      /* of ground without text, in such units */
     float ink[3];        /* linear light */
     float ground;        /* 0 to 1: how much of what is behind it is kept away */
+    bool matters;        /* panels over the window stay clear of it */
 };
 
 struct dome_text;
@@ -44,6 +45,13 @@ double dome_pixel_rad(const cupola_dome *dome, int output, const double directio
  * middle there.
  */
 void dome_label_anchor(struct dome_label *label, int across, int up);
+
+/*
+ * The pixels of the image that a label may touch: lower left, width and height. False where it is
+ * not in the image.
+ */
+bool dome_label_box(const struct cupola_rig *rig, int output, const struct dome_label *label,
+                    int box[4]);
 
 /*
  * Draws a label into the framebuffer that is bound, blended in linear light. `points` is the point

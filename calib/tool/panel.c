@@ -173,10 +173,10 @@ void panel_write(const struct tool *tool, enum panel_place place, int width, str
         write_warnings(tool, width, panel);
     else if (place == PANEL_NOTICE)
         write_message(tool->notice, width, panel);
-    /* No empty line at the end. */
+    /* No empty lines at the end: less is hidden. */
     for (int i = 0; i < panel->columns; i++) {
         size_t length = strlen(panel->text[i]);
-        if (length > 0 && panel->text[i][length - 1] == '\n')
-            panel->text[i][length - 1] = 0;
+        while (length > 0 && panel->text[i][length - 1] == '\n')
+            panel->text[i][--length] = 0;
     }
 }

@@ -1,4 +1,4 @@
-/* Where panels of text stand. */
+/* Panels on the dome. */
 #include "tool/panel_draw.h"
 
 #include <math.h>
@@ -10,26 +10,24 @@
 #include "tool/panel.h"
 
 enum {
-    GAP = 6,    /* between columns on the dome, units of the letters */
+    GAP = 6,    /* between columns, units of the letters */
     MARGIN = 4, /* of the ground round them, likewise */
-    GROUND = 230,
 };
 
-/* The same for the eye, in light: as little is left of white that lies under it. */
+/* Of the ground, in light: as little is left of white that lies under it as over the window. */
 static const float ground_light = 0.99f;
 
 static const struct {
-    unsigned char ink[4];
-    float light[3];    /* the same on the dome */
-    double pitch_deg;  /* on the dome, from where it is read */
+    float ink[3];
+    double pitch_deg;  /* from where it is read */
     double hangs;      /* how much of it is below: 1 all, 0.5 one half, 0 nothing */
-    double widest_rad; /* what would be larger on the dome is drawn smaller */
+    double widest_rad; /* what would be larger is drawn smaller */
     double highest_rad;
 } looks[PANELS] = {
-    [PANEL_LEGEND] = {{255, 255, 255, 255}, {0.9f, 0.9f, 0.9f}, -12, 1, 1.5, 0.65},
-    [PANEL_HELP] = {{255, 240, 200, 255}, {0.9f, 0.85f, 0.6f}, 0, 0.5, 1.8, 1.5},
-    [PANEL_WARNING] = {{255, 90, 80, 255}, {1.0f, 0.12f, 0.08f}, 11, 0, 1.2, 0.3},
-    [PANEL_NOTICE] = {{170, 255, 170, 255}, {0.4f, 1.0f, 0.4f}, 4, 0, 1.2, 0.3},
+    [PANEL_LEGEND] = {{0.9f, 0.9f, 0.9f}, -12, 1, 1.5, 0.65},
+    [PANEL_HELP] = {{0.9f, 0.85f, 0.6f}, 0, 0.5, 1.8, 1.5},
+    [PANEL_WARNING] = {{1.0f, 0.12f, 0.08f}, 11, 0, 1.2, 0.3},
+    [PANEL_NOTICE] = {{0.4f, 1.0f, 0.4f}, 4, 0, 1.2, 0.3},
 };
 
 /* Of a panel's columns, in units of the letters; returns the width of them all. */
@@ -59,7 +57,7 @@ static double draw_on_dome(struct dome_text *text, const struct tool *tool, cons
     if (panel.columns == 0)
         return pitch_deg;
     sum = measure_columns(&panel, widths, &height);
-    memcpy(label.ink, looks[place].light, sizeof label.ink);
+    memcpy(label.ink, looks[place].ink, sizeof label.ink);
     label.unit_rad = fmin(1.4 * dome_pixel_rad(dome, tool->output, label.direction),
                           looks[place].widest_rad / fmax(sum, 1));
     label.unit_rad = fmin(label.unit_rad, looks[place].highest_rad / fmax(height, 1));
@@ -126,61 +124,4 @@ void panels_draw_on_dome(struct dome_text *text, const struct tool *tool, const 
                            PANEL_NOTICE);
     draw_on_dome(text, tool, dome, points,
                  fmax(raised_deg + looks[PANEL_WARNING].pitch_deg, top_deg + 1.5), PANEL_WARNING);
-}
-
-/* The largest letters, in halves, with which a panel fits. */
-static double fitting_scale(const struct panel *panel, double width, double height)
-{
-    double scale = 1, across, up, most, sum;
-
-    for (double wished = 1.5; wished <= (width >= 900 && height >= 500 ? 2 : 1); wished += 0.5) {
-        sum = most = 0;
-        for (int i = 0; i < panel->columns; i++) {
-            overlay_size(panel->text[i], wished, &across, &up);
-            sum += across;
-            most = fmax(most, up);
-        }
-        if (sum <= width && most <= height)
-            scale = wished;
-    }
-    return scale;
-}
-
-/* `raised` above the bottom, if it stands there. Returns how high it is, px. */
-static double draw(struct overlay *overlay, const struct tool *tool, enum panel_place what,
-                   struct overlay_place place, double raised)
-{
-    double widths[PANEL_COLUMNS], most = 0, sum = 0, up;
-    const double footer = what == PANEL_HELP ? 90 : 0; /* messages stand there */
-    struct panel panel;
-
-    panel_write(tool, what, place.width / (place.width >= 900 ? 16 : 8) - 2, &panel);
-    place.scale = fitting_scale(&panel, place.width - 8, place.height - 8 - footer);
-    place.ink = looks[what].ink;
-    place.ground = GROUND;
-    for (int i = 0; i < panel.columns; i++) {
-        overlay_size(panel.text[i], place.scale, &widths[i], &up);
-        most = fmax(most, up);
-        sum += widths[i];
-    }
-    place.x = what == PANEL_LEGEND ? 4 : fmax(4, (place.width - sum) / 2);
-    place.y = what == PANEL_LEGEND || what == PANEL_HELP ? 4 : place.height - most - raised - 4;
-    for (int i = 0; i < panel.columns; i++) {
-        overlay_text(overlay, &place, panel.text[i]);
-        place.x += widths[i];
-    }
-    return most;
-}
-
-void panels_draw(struct overlay *overlay, const struct tool *tool, unsigned int framebuffer,
-                 int width, int height)
-{
-    const struct overlay_place place = {
-        .framebuffer = framebuffer, .width = width, .height = height};
-
-    double notice;
-
-    draw(overlay, tool, tool->shows_help ? PANEL_HELP : PANEL_LEGEND, place, 0);
-    notice = draw(overlay, tool, PANEL_NOTICE, place, 0);
-    draw(overlay, tool, PANEL_WARNING, place, notice > 0 ? notice + 2 : 0);
 }

@@ -155,11 +155,16 @@ bool patterns_draw(struct patterns *patterns, const struct tool *tool, const str
     return true;
 }
 
+double pattern_cross_arm_px(const struct cupola_output *output)
+{
+    return fmax(16, fmin(output->width_px, output->height_px) / 24.0);
+}
+
 void patterns_draw_cross(struct patterns *patterns, const struct tool *tool,
                          const struct cupola_rig *rig, unsigned int points)
 {
     const struct cupola_output *output = &rig->outputs[tool->output];
-    double arm_px = fmax(16, fmin(output->width_px, output->height_px) / 24.0);
+    double arm_px = pattern_cross_arm_px(output);
     int reach = (int)arm_px + 3;
 
     if (!(fabs(tool->cross_px[0]) < 1e6 && fabs(tool->cross_px[1]) < 1e6))

@@ -36,6 +36,9 @@ void patterns_destroy(struct patterns *patterns);
 bool patterns_draw(struct patterns *patterns, const struct tool *tool, const struct cupola_rig *rig,
                    unsigned int points, char *message);
 
+/* How far the cross-hair reaches from its middle. */
+double pattern_cross_arm_px(const struct cupola_output *output);
+
 /* Draws the cross-hair likewise over it, in linear light. */
 void patterns_draw_cross(struct patterns *patterns, const struct tool *tool,
                          const struct cupola_rig *rig, unsigned int points);

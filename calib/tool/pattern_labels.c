@@ -239,6 +239,8 @@ static void label_rim(struct list *list)
                             circle->center_y_px + r_px * s, &ray) == 1)
             put(list, ray.direction, (struct side){0, 0}, degrees == 90 ? yellow : white,
                 degrees == 90 ? "%d TOP OF IMAGE" : "%d", degrees);
+        if (degrees == 90 && list->labels->count > 0)
+            list->labels->list[list->labels->count - 1].matters = true;
     }
     list->frame = dome_frame;
 }
@@ -252,6 +254,7 @@ static void label_dot(struct list *list)
     put(list, v, (struct side){0, -1}, white, "yaw %.1f pitch %.1f",
         list->tool->dot_yaw_rad / rad_per_deg, list->tool->dot_pitch_rad / rad_per_deg);
     last = &list->labels->list[list->labels->count - 1];
+    last->matters = true;
     last->corner[1] -= 0.5 * list->tool->dot_size_rad / last->unit_rad;
 }
 

@@ -15,7 +15,7 @@
 #include "overlay.h"
 #include "program.h"
 #include "tool/dome_text.h"
-#include "tool/marks_walk.h"
+#include "tool/focus.h"
 #include "tool/panel_draw.h"
 #include "tool/pattern.h"
 #include "tool/pattern_labels.h"
@@ -161,20 +161,11 @@ static void draw_labels(struct stage *stage, const struct tool *tool)
 /* The name of the mark that is being steered to, beside the cross-hair. */
 static void draw_cross_name(struct stage *stage, const struct tool *tool)
 {
-    struct dome_label label = {.ink = {1, 0.75f, 0.1f}, .ground = 0.8f};
     char name[MARK_NAME_MAX + 1];
-    struct cupola_ray ray;
+    struct dome_label label;
 
-    if (tool->mark < 0 || tool->mark >= tool->marks.count ||
-        cupola_dome_ray(stage->dome, tool->output, NULL, tool->cross_px[0], tool->cross_px[1],
-                        &ray) < 0)
-        return;
-    marks_walk_label(tool, tool->mark, name);
-    label.text = name;
-    label.unit_rad = pattern_label_unit_rad(stage->dome, tool->output, ray.direction);
-    memcpy(label.direction, ray.direction, sizeof label.direction);
-    dome_label_anchor(&label, 1, 1);
-    dome_text_draw(stage->text, &stage->rig, tool->output, points_of(stage, tool), &label);
+    if (focus_cross_label(tool, stage->dome, name, &label))
+        dome_text_draw(stage->text, &stage->rig, tool->output, points_of(stage, tool), &label);
 }
 
 /*
@@ -203,12 +194,13 @@ static bool draw_image(struct stage *stage, const struct tool *tool, char *messa
     glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     if (tool->shows_labels)
         draw_labels(stage, tool);
+    if (tool->text_on_dome)
+        panels_draw_on_dome(stage->text, tool, stage->dome, points);
+    /* Over them: they do not move, and it is what is steered. */
     if (tool->group == GROUP_MARKS) {
         patterns_draw_cross(stage->patterns, tool, &stage->rig, points);
         draw_cross_name(stage, tool);
     }
-    if (tool->text_on_dome)
-        panels_draw_on_dome(stage->text, tool, stage->dome, points);
     glDisable(GL_BLEND);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -282,6 +274,28 @@ static void show_image(struct stage *stage, unsigned int framebuffer, const int 
     glUseProgram(0);
 }
 
+static void draw_panels(struct stage *stage, const struct tool *tool, unsigned int framebuffer,
+                        int width, int height)
+{
+    const struct cupola_output *output = &tool->rig.outputs[tool->output];
+    struct panel_clear clear;
+    struct focus focus;
+    int place[4];
+
+    focus_find(tool, stage->dome, &stage->labels, &focus);
+    place_image(tool, width, height, place);
+    clear.count = focus.count;
+    for (int i = 0; i < focus.count; i++) {
+        const struct focus_box *box = &focus.list[i];
+        double across = (double)place[2] / output->width_px;
+        double up = (double)place[3] / output->height_px;
+        clear.list[i] = (struct panel_box){
+            place[0] + across * box->low_px[0], height - place[1] - up * box->high_px[1],
+            across * (box->high_px[0] - box->low_px[0]), up * (box->high_px[1] - box->low_px[1])};
+    }
+    panels_draw(stage->overlay, tool, framebuffer, width, height, &clear);
+}
+
 bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int framebuffer, int width,
                 int height, char *message)
 {
@@ -302,6 +316,6 @@ bool stage_draw(struct stage *stage, const struct tool *tool, unsigned int frame
         !draw_preview(stage, tool, framebuffer, theatre, message))
         return false;
     if (!tool->text_on_dome)
-        panels_draw(stage->overlay, tool, framebuffer, width, height);
+        draw_panels(stage, tool, framebuffer, width, height);
     return true;
 }
