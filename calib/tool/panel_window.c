@@ -61,15 +61,16 @@ static double hides(const struct laid *laid, const struct panel_clear *clear)
 
 /*
  * In the first corner and with the largest letters that hide nothing, else the least; smaller ones
- * come before another corner. `bottom` is where messages begin.
+ * come before another corner. `room` is how wide the image's part of the window is, `bottom` where
+ * messages begin.
  */
-static void lay_legend(struct laid *laid, int width, double bottom, double most,
+static void lay_legend(struct laid *laid, int width, int room, double bottom, double most,
                        const struct panel_clear *clear)
 {
     struct laid best;
-    double least = INFINITY;
+    double least = HUGE_VAL;
 
-    fit(laid, most, width - 2 * EDGE, bottom - 2 * EDGE);
+    fit(laid, most, room - 2 * EDGE, bottom - 2 * EDGE);
     most = laid->scale;
     best = *laid;
     for (int corner = 0; corner < 4 && least > 0; corner++) {
@@ -143,7 +144,8 @@ void panels_draw(struct overlay *overlay, const struct tool *tool, unsigned int 
         bottom = laid[i].y - 2;
     }
     lay_help(&laid[PANEL_HELP], width, height, most);
-    lay_legend(&laid[PANEL_LEGEND], width, bottom, most, clear);
+    lay_legend(&laid[PANEL_LEGEND], width, tool->preview == PREVIEW_NONE ? width : width / 2,
+               bottom, most, clear);
     for (int i = 0; i < PANELS; i++)
         if (laid[i].panel.columns > 0 && !(i == PANEL_LEGEND && tool->shows_help))
             draw(overlay, place, (enum panel_place)i, &laid[i]);
