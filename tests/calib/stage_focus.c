@@ -1,4 +1,4 @@
-/* What is worked with stays in sight: panels over the window give way, on the dome they lie below. */
+/* What is worked with stays in sight: panels over the window give way, on the dome it is on top. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +68,7 @@ static long differing(const struct stage_fixture *fixture, const struct focus *f
     return count;
 }
 
-/* How much of what is worked with is hidden by panels: those that know of it, or those that do not. */
+/* How much of what is worked with panels hide. */
 static long hidden(struct stage_fixture *fixture, int width, int height)
 {
     unsigned char *bare, *with;
