@@ -55,8 +55,11 @@ static bool tells(const struct tool *tool, const char *words)
     bool found = false;
 
     panel_write(tool, PANEL_LEGEND, 80, &panel);
-    for (int i = 0; i < panel.columns; i++)
-        found |= strstr(panel.text[i], words) != NULL;
+    for (int i = 0; i < panel.columns; i++) {
+        char lines[PANEL_TEXT + 2];
+        snprintf(lines, sizeof lines, "%s\n", panel.text[i]); /* the last one has no end */
+        found |= strstr(lines, words) != NULL;
+    }
     return found && strstr(panel.text[0], "tracker\n");
 }
 
