@@ -47,16 +47,26 @@ static int following(unsigned char first)
     return first < 0xe0 ? 1 : (first < 0xf0 ? 2 : 3);
 }
 
-/* The number of the next character in Unicode, -1 for what is none; `text` goes on behind it. */
+/*
+ * The number of the next character in Unicode, behind which `text` goes on; -1 and one byte on for
+ * what is none, such as a longer form than is needed (RFC 3629).
+ */
 static int next_character(const char **text)
 {
-    unsigned char first = (unsigned char)*(*text)++;
-    int left = following(first);
-    int number = left > 0 ? first & (0x3f >> left) : (first < 0x80 ? first : -1);
+    static const int least[] = {0, 0x80, 0x800, 0x10000};
+    const unsigned char *at = (const unsigned char *)(*text)++;
+    int more = following(at[0]);
+    int number = more > 0 ? at[0] & (0x3f >> more) : (at[0] < 0x80 ? at[0] : -1);
 
-    for (; left > 0 && ((unsigned char)**text >> 6) == 2; left--)
-        number = number << 6 | ((unsigned char)*(*text)++ & 0x3f);
-    return left > 0 ? -1 : number;
+    for (int i = 1; i <= more; i++) {
+        if ((at[i] & 0xc0) != 0x80)
+            return -1;
+        number = number << 6 | (at[i] & 0x3f);
+    }
+    if (number < least[more] || number > 0x10ffff || (number >= 0xd800 && number <= 0xdfff))
+        return -1;
+    *text += more;
+    return number;
 }
 
 /* Accents that Unicode has as characters of their own, behind the letter. */

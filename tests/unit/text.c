@@ -90,8 +90,14 @@ static void a_character_of_many_bytes_is_one_question_mark(void **state)
         {"\xc3"
          "A",
          "?A"}, /* cut short */
-        {"\xe2\x82", "?"},
-        {"\x80\xbf", "??"}, /* no beginning */
+        {"\xe2\x82", "??"},
+        {"a\xe0\x81\x81z", "a???z"},  /* an A in three bytes */
+        {"a\xe0\x80\x8a", "a???"},    /* the end of a line */
+        {"\xf0\x80\x81\x81", "????"}, /* an A in four */
+        {"\xed\xa0\x80", "???"},      /* half of a pair of UTF-16 */
+        {"\xf4\x90\x80\x80", "????"}, /* beyond Unicode */
+        {"\xf4\x8f\xbf\xbf", "?"},    /* its last one */
+        {"\x80\xbf", "??"},           /* no beginning */
         {"\xce\xb1\xb1", "??"},
         {"\xff\x80", "??"},
     };
