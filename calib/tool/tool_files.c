@@ -87,8 +87,12 @@ bool tool_files_check_line(const struct tool *tool, const char *what, const char
 
     if (saves_rig && same(path, tool->rig_path))
         return true;
-    if (saves_rig && same(path, files.rig))
+    if (saves_rig && same(path, files.rig)) {
+        /* Both were read, and neither is read again. */
+        if (same(files.theatre, files.rig))
+            files.theatre = NULL;
         files.rig = NULL;
+    }
     session = find_beside(tool->rig_path);
     line = find_beside(path);
     list_session(&files, tool->rig_path, tool->marks_path, &session, list);

@@ -179,6 +179,17 @@ static void what_is_changed_in_place_may_be(void **state)
         0, "");
 }
 
+static void a_rig_that_is_its_own_theatre_may_be_saved_to(void **state)
+{
+    (void)state;
+    make_files();
+    check_run("for theatre in r.cfg ./r.cfg same.cfg; do echo 'save r.cfg' | "
+              "\"$C\" r.cfg --output o.cfg --theatre $theatre --script - || exit; done",
+              0, "");
+    check_run("echo 'save r.cfg' | \"$C\" --output o.cfg --theatre r.cfg --script -", 1,
+              "--theatre and save are the same file");
+}
+
 static void a_theatre_without_the_projector_is_refused(void **state)
 {
     (void)state;
@@ -338,6 +349,7 @@ int main(void)
         cmocka_unit_test(no_line_of_a_script_writes_over_another_file),
         cmocka_unit_test(nor_after_a_journal_has_restored_it),
         cmocka_unit_test(what_is_changed_in_place_may_be),
+        cmocka_unit_test(a_rig_that_is_its_own_theatre_may_be_saved_to),
         cmocka_unit_test(missing_files_are_failures),
         cmocka_unit_test(a_theatre_without_the_projector_is_refused),
         cmocka_unit_test(a_session_as_a_script),
