@@ -5,6 +5,7 @@
 
 #include <cupola/rig_file.h>
 
+#include "same_file.h"
 #include "short_path.h"
 #include "tool/journal.h"
 #include "tool/marks_walk.h"
@@ -33,7 +34,7 @@ bool tool_save(struct tool *tool, const char *rig_path)
                  short_path(tool->marks_path).text);
     else
         snprintf(tool->notice, MESSAGE_SIZE, "saved %s", short_path(rig_path).text);
-    if (strcmp(rig_path, tool->rig_path) == 0) {
+    if (same_file(rig_path, tool->rig_path)) {
         tool_note_saved(tool);
         journal_note(tool, "saved");
     } else if (writes_marks) {

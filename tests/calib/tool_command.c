@@ -190,6 +190,23 @@ static void a_rig_that_is_its_own_theatre_may_be_saved_to(void **state)
               "--theatre and save are the same file");
 }
 
+/* By another name, through a link or from the root. */
+static void a_save_to_the_sessions_rig_is_one_by_any_name(void **state)
+{
+    (void)state;
+    make_files();
+    check_run("for name in ./r.cfg same.cfg f/../r.cfg \"$PWD/r.cfg\"; do "
+              "printf 'key X\nsave %s\nexpect unsaved no\n' \"$name\" | "
+              "\"$C\" r.cfg --script - || exit; done; "
+              "printf 'key X\nsave ./new.cfg\nexpect unsaved no\n' | "
+              "\"$C\" --output new.cfg --script -",
+              0, "");
+    /* Of a hard link only one name gets what is written. */
+    check_run("ln r.cfg hard.cfg; printf 'key X\nsave hard.cfg\nexpect unsaved yes\n' | "
+              "\"$C\" r.cfg --script - && ! cmp -s r.cfg hard.cfg",
+              0, "");
+}
+
 static void a_theatre_without_the_projector_is_refused(void **state)
 {
     (void)state;
@@ -350,6 +367,7 @@ int main(void)
         cmocka_unit_test(nor_after_a_journal_has_restored_it),
         cmocka_unit_test(what_is_changed_in_place_may_be),
         cmocka_unit_test(a_rig_that_is_its_own_theatre_may_be_saved_to),
+        cmocka_unit_test(a_save_to_the_sessions_rig_is_one_by_any_name),
         cmocka_unit_test(missing_files_are_failures),
         cmocka_unit_test(a_theatre_without_the_projector_is_refused),
         cmocka_unit_test(a_session_as_a_script),
