@@ -66,28 +66,63 @@ static char *steered_path(const struct tool_options *options)
     return path;
 }
 
+static bool keeps_journal(const struct tool_options *options)
+{
+    return (!options->script && !options->picture && !options->headless) || options->journal;
+}
+
+/* Whether anything is there that could save: keys, a script, a journal that keeps what is not. */
+static bool can_save(const struct tool_options *options)
+{
+    return options->script || keeps_journal(options);
+}
+
+/* NULL for standard input. */
+static const char *script_file(const struct tool_options *options)
+{
+    return options->script && strcmp(options->script, "-") != 0 ? options->script : NULL;
+}
+
+/* Whether the files to be saved to can be written; NULL: none is. */
+static bool check_saved(const struct tool_files *files, const char *rig_path,
+                        const char *marks_path, char *message)
+{
+    return (!rig_path || output_file_check(files->output_given ? "--output" : "default --output",
+                                           rig_path, message)) &&
+           (!marks_path || output_file_check(files->marks_output_given ? "--marks-output"
+                                                                       : "default --marks-output",
+                                             marks_path, message));
+}
+
 static int open_tool(const struct tool_options *options, struct tool *tool, char *message)
 {
     struct cupola_rig rig;
     struct marks marks = {0};
     const char *rig_path = options->output ? options->output : options->rig;
-    const char *script =
-        options->script && strcmp(options->script, "-") != 0 ? options->script : NULL;
-    const struct tool_files files = {options->rig, options->theatre, options->marks, script,
-                                     options->picture};
+    const struct tool_files files = {
+        .rig = options->rig,
+        .theatre = options->theatre,
+        .marks = options->marks,
+        .script = script_file(options),
+        .picture = options->picture,
+        .output_given = options->output != NULL,
+        .marks_output_given = options->marks_output != NULL,
+    };
     char *marks_path = options->marks ? steered_path(options) : NULL;
+    const char *saved_rig, *saved_marks;
     int status;
 
     if (!rig_path)
         rig_path = "rig.cfg";
-    status = tool_files_check(&files, rig_path, marks_path, message)
+    saved_rig = can_save(options) ? rig_path : NULL;
+    saved_marks = can_save(options) ? marks_path : NULL;
+    status = tool_files_check(&files, saved_rig, saved_marks, message)
                  ? begin_rig(options, &rig, message)
                  : STATUS_USAGE;
-    if (status == STATUS_OK && !output_file_check("--output", rig_path, message))
+    if (status == STATUS_OK && !check_saved(&files, saved_rig, saved_marks, message))
         status = STATUS_FAILED;
     if (status == STATUS_OK && options->marks &&
-        (!marks_path || !output_file_check("--marks-output", marks_path, message) ||
-         !marks_read(options->marks, false, &marks, message)))
+        (!marks_path || !marks_read(options->marks, false, &marks, message)))
         status = STATUS_FAILED;
     if (status == STATUS_OK &&
         !tool_open(tool, &rig, options->projector, options->marks ? &marks : NULL, rig_path,
@@ -161,7 +196,7 @@ static int begin(const struct tool_options *options, struct tool *tool, char *me
 
     if (status != STATUS_OK)
         return status;
-    if ((!options->script && !options->picture && !options->headless) || options->journal) {
+    if (keeps_journal(options)) {
         if (journal_open(tool, options->fresh, message) == JOURNAL_FAILED)
             return STATUS_FAILED;
         warn_of_others(options, tool);

@@ -14,16 +14,16 @@
 /* Of a session; what a line of a script names comes behind them. */
 enum { NAMES = 9, ALL_NAMES = NAMES + 2 };
 
-/* What saving a rig leaves beside it, to be freed; NULL for a link that leads nowhere. */
+/* What saving a rig leaves beside it, to be freed; NULL: a link that leads nowhere, or no rig. */
 struct beside {
     char *backup, *journal;
 };
 
 static struct beside find_beside(const char *output)
 {
-    char *rig = output_file_behind_links(output);
+    char *rig = output ? output_file_behind_links(output) : NULL;
     size_t size = (rig ? strlen(rig) : 0) + sizeof ".bak";
-    struct beside beside = {rig ? malloc(size) : NULL, journal_path_beside(output)};
+    struct beside beside = {rig ? malloc(size) : NULL, output ? journal_path_beside(output) : NULL};
 
     if (beside.backup)
         snprintf(beside.backup, size, "%s.bak", rig);
@@ -49,14 +49,20 @@ static void list_session(const struct tool_files *files, const char *output,
     /* The rig may be its own theatre, as it is without the option. */
     bool own_theatre = same(files->theatre, files->rig),
          own_marks = same(files->marks, marks_output);
+    /* Who gave no name is told where it comes from. */
+    bool given = files->output_given;
     const struct named_file session[NAMES] = {
         {.name = "--rig", .path = files->rig},
-        {.name = "--output", .path = output, .written = true, .in_place = true},
-        {"--output (what was there)", beside->backup, true, true},
-        {.name = "--output (its journal)", .path = beside->journal, .written = true},
+        {given ? "--output" : "default --output", output, true, true},
+        {given ? "--output (what was there)" : "default --output (what was there)", beside->backup,
+         true, true},
+        {given ? "--output (its journal)" : "default --output (its journal)", beside->journal, true,
+         false},
         {.name = "--theatre", .path = own_theatre ? NULL : files->theatre},
         {.name = "--marks", .path = own_marks ? NULL : files->marks},
-        {.name = "--marks-output", .path = marks_output, .written = true},
+        {.name = files->marks_output_given ? "--marks-output" : "default --marks-output",
+         .path = marks_output,
+         .written = true},
         {.name = "--script", .path = files->script},
         {.name = "--picture", .path = files->picture, .written = true},
     };

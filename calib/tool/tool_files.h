@@ -9,12 +9,13 @@ struct tool;
 /* Of the command line; NULL: not given. The names are not copied. */
 struct tool_files {
     const char *rig, *theatre, *marks, *script, *picture;
+    bool output_given, marks_output_given; /* else where things are saved is a default */
 };
 
 /*
- * Whether saving the rig to `output` and marks to `marks_output`, NULL without marks, would write
- * over nothing else. Rig and marks may be saved to where they came from. False with one line in
- * `message`, MESSAGE_SIZE bytes.
+ * Whether saving the rig to `output` and marks to `marks_output`, NULL where nothing is saved,
+ * would write over nothing else. Rig and marks may be saved to where they came from. False with
+ * one line in `message`, MESSAGE_SIZE bytes.
  */
 bool tool_files_check(const struct tool_files *files, const char *output, const char *marks_output,
                       char *message);
