@@ -47,16 +47,19 @@ static void direction_of(const struct list *list, const double v[3], double dire
     rotation_apply(tilt, seen, direction);
 }
 
-__attribute__((format(printf, 5, 6))) static void put(struct list *list, const double v[3],
-                                                      struct side side, const float ink[3],
-                                                      const char *format, ...)
+/* Returns the label, to be changed; NULL where the list is full. */
+__attribute__((format(printf, 5, 6))) static struct dome_label *put(struct list *list,
+                                                                    const double v[3],
+                                                                    struct side side,
+                                                                    const float ink[3],
+                                                                    const char *format, ...)
 {
     struct pattern_labels *labels = list->labels;
     struct dome_label *label = &labels->list[labels->count];
     va_list arguments;
 
     if (labels->count == PATTERN_LABELS_MAX)
-        return;
+        return NULL;
     va_start(arguments, format);
     vsnprintf(labels->texts[labels->count], PATTERN_LABEL_TEXT, format, arguments);
     va_end(arguments);
@@ -66,6 +69,7 @@ __attribute__((format(printf, 5, 6))) static void put(struct list *list, const d
     memcpy(label->ink, ink, sizeof label->ink);
     dome_label_anchor(label, side.across, side.up);
     labels->count++;
+    return label;
 }
 
 /* Off the middle and round it, from the right counter-clockwise. */
@@ -180,9 +184,9 @@ static void label_star(struct list *list, double off_deg, double round_deg)
     round_middle(off_deg, round_deg, v);
     for (int i = 0; i < 4; i++) {
         /* In a row below the star, as the viewer sees it. */
-        struct dome_label *label;
-        put(list, v, (struct side){0, 0}, inks[i], "%d", 1 << i);
-        label = &list->labels->list[list->labels->count - 1];
+        struct dome_label *label = put(list, v, (struct side){0, 0}, inks[i], "%d", 1 << i);
+        if (!label)
+            return;
         label->corner[0] = (i - 2) * 10 + 1;
         label->corner[1] = -9 * rad_per_deg / label->unit_rad - 6;
     }
@@ -191,16 +195,16 @@ static void label_star(struct list *list, double off_deg, double round_deg)
 static void label_wedges(struct list *list)
 {
     double spacing_deg = pattern_star_spacing_rad(list->rig) / rad_per_deg, v[3];
-    struct dome_label *last;
+    struct dome_label *unit;
 
     label_star(list, 0, 0);
     for (int round = 0; round < 360; round += 90)
         for (int ring = 1; ring <= 3; ring++)
             label_star(list, ring * spacing_deg, round);
     /* Under the numbers of the one in the middle. */
-    put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "cycles per degree");
-    last = &list->labels->list[list->labels->count - 1];
-    last->corner[1] = -9 * rad_per_deg / last->unit_rad - 19;
+    unit = put(list, round_middle(0, 0, v), (struct side){0, 0}, white, "cycles per degree");
+    if (unit)
+        unit->corner[1] = -9 * rad_per_deg / unit->unit_rad - 19;
 }
 
 static void label_steps(struct list *list, double up_deg, int first, int step)
@@ -227,6 +231,7 @@ static void label_rim(struct list *list)
     const double in_px = 0.1 * circle->radius_px;
     struct cupola_ray ray;
     struct pattern_frame dome_frame = list->frame;
+    struct dome_label *label;
 
     list->frame.about_viewer = true; /* rays are the viewer's */
     for (int degrees = 0; degrees < 360; degrees += 90) {
@@ -236,26 +241,28 @@ static void label_rim(struct list *list)
                           : (s > 0 ? output->height_px - circle->center_y_px : circle->center_y_px);
         double r_px = fmin(circle->radius_px, to_frame_px) - in_px;
         if (cupola_dome_ray(list->dome, list->tool->output, NULL, circle->center_x_px + r_px * c,
-                            circle->center_y_px + r_px * s, &ray) == 1)
-            put(list, ray.direction, (struct side){0, 0}, degrees == 90 ? yellow : white,
-                degrees == 90 ? "%d TOP OF IMAGE" : "%d", degrees);
-        if (degrees == 90 && list->labels->count > 0)
-            list->labels->list[list->labels->count - 1].matters = true;
+                            circle->center_y_px + r_px * s, &ray) != 1)
+            continue;
+        label = put(list, ray.direction, (struct side){0, 0}, degrees == 90 ? yellow : white,
+                    degrees == 90 ? "%d TOP OF IMAGE" : "%d", degrees);
+        if (label)
+            label->matters = degrees == 90;
     }
     list->frame = dome_frame;
 }
 
 static void label_dot(struct list *list)
 {
-    struct dome_label *last;
+    struct dome_label *label;
     double v[3];
 
     pattern_dot(list->tool, v);
-    put(list, v, (struct side){0, -1}, white, "yaw %.1f pitch %.1f",
-        list->tool->dot_yaw_rad / rad_per_deg, list->tool->dot_pitch_rad / rad_per_deg);
-    last = &list->labels->list[list->labels->count - 1];
-    last->matters = true;
-    last->corner[1] -= 0.5 * list->tool->dot_size_rad / last->unit_rad;
+    label = put(list, v, (struct side){0, -1}, white, "yaw %.1f pitch %.1f",
+                list->tool->dot_yaw_rad / rad_per_deg, list->tool->dot_pitch_rad / rad_per_deg);
+    if (!label)
+        return;
+    label->matters = true;
+    label->corner[1] -= 0.5 * list->tool->dot_size_rad / label->unit_rad;
 }
 
 double pattern_label_unit_rad(const cupola_dome *dome, int output, const double direction[3])

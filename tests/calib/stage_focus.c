@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "angles.h"
 #include "check.h"
 #include "stage_fixture.h"
 #include "tool/focus.h"
@@ -155,6 +156,51 @@ static void nor_the_dot_nor_where_the_top_is(void **state)
     stage_fixture_release(&fixture);
 }
 
+/* How many labels of the rim matter; each of them is the top's. */
+static int tops(struct stage_fixture *fixture)
+{
+    struct pattern_labels *labels = malloc(sizeof *labels);
+    cupola_dome *dome = NULL;
+    int count = 0;
+
+    assert_non_null(labels);
+    fixture->tool.pattern = PATTERN_RIM;
+    assert_int_equal(cupola_dome_create(&fixture->tool.rig, &dome, NULL), CUPOLA_OK);
+    pattern_labels_list(&fixture->tool, dome, labels);
+    assert_true(labels->count > 0);
+    for (int i = 0; i < labels->count; i++) {
+        count += labels->list[i].matters;
+        assert_true(!labels->list[i].matters == !strstr(labels->list[i].text, "TOP OF IMAGE"));
+    }
+    cupola_dome_destroy(&dome);
+    free(labels);
+    return count;
+}
+
+static void where_the_top_lights_no_dome_no_other_label_matters(void **state)
+{
+    struct stage_fixture fixture;
+    struct cupola_output *output;
+    struct cupola_rig rig;
+
+    (void)state;
+    make(&fixture);
+    assert_int_equal(tops(&fixture), 1);
+    stage_fixture_release(&fixture);
+    /* A dome of 90 degrees, and a projector that looks up beyond its rim. */
+    rig = (struct cupola_rig){.screen.cap_rad = 90 * rad_per_deg};
+    output = &rig.outputs[0];
+    output->width_px = 1024;
+    output->height_px = 768;
+    output->circle = (struct cupola_circle){512, 640, 380};
+    output->lens = (struct cupola_lens){.model = CUPOLA_LENS_ANGULAR, .fov_rad = 180 * rad_per_deg};
+    output->aim.pitch_rad = 80 * rad_per_deg;
+    assert_int_equal(cupola_rig_complete(&rig, &rig, NULL), CUPOLA_OK);
+    stage_fixture_make(&fixture, &rig);
+    assert_int_equal(tops(&fixture), 0);
+    stage_fixture_release(&fixture);
+}
+
 /* The legend on the dome does not move; the cross-hair is drawn over it. */
 static void on_the_dome_the_cross_hair_lies_over_the_panels(void **state)
 {
@@ -187,6 +233,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_panel_hides_the_cross_hair_or_its_name),
         cmocka_unit_test(nor_the_dot_nor_where_the_top_is),
+        cmocka_unit_test(where_the_top_lights_no_dome_no_other_label_matters),
         cmocka_unit_test(on_the_dome_the_cross_hair_lies_over_the_panels),
     };
     return cmocka_run_group_tests(tests, stage_context_open, stage_context_close);
