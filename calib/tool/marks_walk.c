@@ -20,10 +20,29 @@ int marks_walk_next(const struct tool *tool, int mark)
     return mark < 0 ? 0 : mark;
 }
 
+/* Its name as it is drawn; how many letters of it cannot be. */
+static int drawn_name(const struct tool *tool, int mark, char name[MARK_NAME_MAX + 1])
+{
+    return cupola_text_letters(tool->marks.list[mark].name, name, MARK_NAME_MAX + 1);
+}
+
+static bool is_drawn_name(const struct tool *tool, const char *label)
+{
+    char name[MARK_NAME_MAX + 1];
+
+    for (int i = 0; i < tool->marks.count; i++)
+        if (drawn_name(tool, i, name) == 0 && strcmp(name, label) == 0)
+            return true;
+    return false;
+}
+
 void marks_walk_label(const struct tool *tool, int mark, char label[MARK_NAME_MAX + 1])
 {
-    if (cupola_text_letters(tool->marks.list[mark].name, label, MARK_NAME_MAX + 1) > 0)
-        snprintf(label, MARK_NAME_MAX + 1, "mark %d", mark + 1);
+    if (drawn_name(tool, mark, label) == 0)
+        return;
+    snprintf(label, MARK_NAME_MAX + 1, "mark %d", mark + 1);
+    for (int i = 2; is_drawn_name(tool, label); i++)
+        snprintf(label, MARK_NAME_MAX + 1, "mark %d (%d)", mark + 1, i);
 }
 
 int marks_walk_steered(const struct tool *tool)

@@ -15,7 +15,8 @@ int marks_walk_steered(const struct tool *tool);
 
 /*
  * What a mark is called on the screen: its name as it is drawn, or its number in the file ("mark
- * 3") where letters of it cannot be, so that no two names look alike as question marks.
+ * 3") where letters of it cannot be, so that no two names look alike as question marks; "mark 3
+ * (2)" where another is really called "mark 3", and so on.
  */
 void marks_walk_label(const struct tool *tool, int mark, char label[MARK_NAME_MAX + 1]);
 

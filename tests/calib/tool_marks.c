@@ -87,31 +87,6 @@ static void enter_takes_the_pixel_and_goes_to_the_next(void **state)
     tool_close(&tool);
 }
 
-static void names_that_cannot_be_drawn_are_numbers(void **state)
-{
-    struct tool tool;
-    struct marks marks = three_marks();
-    char label[MARK_NAME_MAX + 1], text[100];
-
-    (void)state;
-    strcpy(marks.list[0].name, "\xc3\xa9t\xc3\xa9");        /* summer, in French */
-    strcpy(marks.list[1].name, "\xe5\x8f\xb3\xe5\x81\xb4"); /* the right, in Japanese */
-    strcpy(marks.list[2].name, "why?");
-    open_with_marks(&tool, marks);
-    static const char *const labels[] = {"ete", "mark 2", "why?"};
-    for (int i = 0; i < 3; i++) {
-        marks_walk_label(&tool, i, label);
-        assert_string_equal(label, labels[i]);
-    }
-    tool_key(&tool, GLFW_KEY_PAGE_UP, 0);
-    parameter_text(&tool, PARAMETER_MARK, text, sizeof text);
-    assert_string_equal(text, "2 of 3: mark 2");
-    tool_key(&tool, GLFW_KEY_ENTER, 0);
-    assert_non_null(strstr(tool.notice, "mark 2 is at"));
-    assert_non_null(strstr(tool.notice, "next why?"));
-    tool_close(&tool);
-}
-
 static void saving_writes_what_reads_back(void **state)
 {
     struct tool tool;
@@ -381,7 +356,6 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_cross_hair_starts_at_the_pixel_that_lights_the_mark),
         cmocka_unit_test(enter_takes_the_pixel_and_goes_to_the_next),
-        cmocka_unit_test(names_that_cannot_be_drawn_are_numbers),
         cmocka_unit_test(saving_writes_what_reads_back),
         cmocka_unit_test(rig_and_marks_are_saved_together_or_not_at_all),
         cmocka_unit_test(forgetting_all_is_saved_like_any_change),
