@@ -37,13 +37,13 @@ struct reading {
 
 static bool is_lit(const struct code_map *map, size_t i)
 {
-    return map->state[i] != CODE_DARK && map->state[i] != CODE_SATURATED;
+    return map->state[i] == CODE_DECODED || map->state[i] == CODE_UNSURE;
 }
 
 const char *code_state_text(enum code_state state)
 {
-    static const char *const texts[] = {"decoded", "saturated", "too little contrast",
-                                        "code unsure", "too noisy"};
+    static const char *const texts[] = {"decoded",     "saturated", "too little contrast",
+                                        "code unsure", "too noisy", "no numbers"};
 
     return texts[state];
 }
@@ -110,14 +110,19 @@ static bool begin(struct reading *reading, char *message)
 
     if (!allocate(reading, message))
         return false;
+    map->check.least_contrast = reading->settings->least_contrast;
     reading->cuts_off = photo_cuts_off(reading->settings->paths[0]);
     for (size_t i = 0; i < pixel_count(map); i++) {
         double white = (double)reading->white.light[i], black = (double)reading->black.light[i];
-        if (!isfinite(white) || !isfinite(black) ||
-            white - black < reading->settings->least_contrast)
+        if (!isfinite(white - black)) {
+            map->state[i] = CODE_NO_NUMBER;
+            continue;
+        }
+        if (white - black < reading->settings->least_contrast)
             map->state[i] = CODE_DARK;
         if (white >= saturated_light && reading->cuts_off)
             map->state[i] = CODE_SATURATED;
+        code_check_add_light(&map->check, white - black, map->state[i] == CODE_DECODED);
     }
     return true;
 }
@@ -175,6 +180,7 @@ static void add_to_check(struct code_check *check, double contrast, double varia
 {
     check->contrast_square += contrast * contrast;
     check->variance += variance;
+    check->judged += 1;
     check->tested += clear;
     check->off += clear && off > surely_off;
 }
@@ -189,33 +195,40 @@ static bool is_clear(const struct reading *reading, size_t i)
     return reading->faint[i] <= 1 && amplitude >= weak_sine * 0.5 * contrast;
 }
 
-/* Two neighbours: where their codes differ by one a border of the stripes is between them. */
-static void add_border(struct reading *reading, size_t i, size_t other)
+static struct code_pixel code_pixel(const struct reading *reading, size_t i)
 {
-    struct code_map *map = reading->map;
-    unsigned int code = series_from_gray(reading->code[i]);
-    unsigned int next = series_from_gray(reading->code[other]);
-    double length = hypot(reading->sums[2][i], reading->sums[3][i]);
-    double other_length = hypot(reading->sums[2][other], reading->sums[3][other]);
-
-    if ((code + 1 != next && next + 1 != code) || map->state[i] != CODE_DECODED ||
-        map->state[other] != CODE_DECODED || !is_clear(reading, i) || !is_clear(reading, other))
-        return;
-    code_check_add_border(&map->check, code > next ? code : next,
-                          reading->sums[2][i] / length + reading->sums[2][other] / other_length,
-                          reading->sums[3][i] / length + reading->sums[3][other] / other_length);
+    return (struct code_pixel){series_from_gray(reading->code[i]), reading->sums[2][i],
+                               reading->sums[3][i]};
 }
 
-static void add_borders(struct reading *reading)
+static void add_border(const struct reading *reading, struct code_borders *borders, size_t i,
+                       size_t other)
 {
-    size_t width = (size_t)reading->map->width, count = pixel_count(reading->map);
+    struct code_pixel pixel = code_pixel(reading, i), neighbour = code_pixel(reading, other);
 
+    if (reading->map->state[i] == CODE_DECODED && reading->map->state[other] == CODE_DECODED &&
+        is_clear(reading, i) && is_clear(reading, other))
+        code_borders_add(borders, &pixel, &neighbour);
+}
+
+static bool find_phase(struct reading *reading, int axis, char *message)
+{
+    const struct series *series = reading->settings->series;
+    size_t width = (size_t)reading->map->width, count = pixel_count(reading->map);
+    struct code_borders borders;
+
+    if (!code_borders_begin(&borders, series_bits(series, axis))) {
+        snprintf(message, MESSAGE_SIZE, "out of memory for the borders of stripes");
+        return false;
+    }
     for (size_t i = 0; i < count; i++) {
         if (i % width + 1 < width)
-            add_border(reading, i, i + 1);
+            add_border(reading, &borders, i, i + 1);
         if (i + width < count)
-            add_border(reading, i, i + width);
+            add_border(reading, &borders, i, i + width);
     }
+    reading->map->check.phase = code_borders_end(&borders);
+    return true;
 }
 
 /* One that has had a place so far. */
@@ -248,7 +261,7 @@ static void leave_out(struct code_map *map, const struct photo *photo)
 {
     for (size_t i = 0; i < pixel_count(map); i++) {
         if (map->state[i] == CODE_DECODED && !isfinite(photo->light[i]))
-            map->state[i] = CODE_UNSURE;
+            map->state[i] = CODE_NO_NUMBER;
     }
 }
 
@@ -267,7 +280,8 @@ static bool add(struct reading *reading, int number, const struct photo *photo, 
     if (picture.kind == SERIES_SINE)
         add_step(reading, photo, picture.index);
     if (picture.kind == SERIES_SINE && picture.index == series->steps - 1) {
-        add_borders(reading);
+        if (!find_phase(reading, picture.axis, message))
+            return false;
         for (size_t i = 0; i < pixel_count(reading->map); i++) {
             if (reading->map->state[i] == CODE_DECODED)
                 finish_pixel(reading, picture.axis, i);

@@ -14,8 +14,9 @@ enum code_state {
     CODE_DECODED,
     CODE_SATURATED, /* as bright as the file holds: its sines would be cut off */
     CODE_DARK,      /* too little contrast between all light and none */
-    CODE_UNSURE,    /* bits too faint, sines too weak, code and phase disagree, or no number */
+    CODE_UNSURE,    /* bits too faint, sines too weak, or code and phase disagree */
     CODE_NOISY,     /* the place would be off by more than an eighth of a period */
+    CODE_NO_NUMBER, /* in one of the photographs that decide */
     CODE_STATES
 };
 

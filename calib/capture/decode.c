@@ -55,9 +55,12 @@ static void describe_states(const struct code_map *map, char *text, size_t text_
     size_t length = 0;
 
     *text = 0;
-    for (int i = CODE_DECODED; i < CODE_STATES && length < text_size; i++)
+    for (int i = CODE_DECODED; i < CODE_STATES && length < text_size; i++) {
+        if (i == CODE_NO_NUMBER && map->counts[i] == 0)
+            continue;
         length += (size_t)snprintf(text + length, text_size - length, "%s%.1f %% %s", i ? ", " : "",
                                    100 * map->counts[i] / all, code_state_text((enum code_state)i));
+    }
 }
 
 static void warn(const struct code_map *map)
@@ -70,13 +73,20 @@ static void warn(const struct code_map *map)
         fprintf(stderr, "cupola-calib capture decode: %s\n", text);
 }
 
-/* By whether light or what it shows is missing. */
+/* By whether numbers, light or what it shows is missing. */
 static const char *advice_without_marks(const struct code_map *map)
 {
-    const double least_lit = 0.05;
-    int lit = map->counts[CODE_DECODED] + map->counts[CODE_UNSURE] + map->counts[CODE_NOISY];
+    const double least_part = 0.05;
+    double least = least_part * map->width * map->height;
+    int lost = map->counts[CODE_UNSURE] + map->counts[CODE_NOISY];
+    int lit = map->counts[CODE_DECODED] + lost;
 
-    return lit > least_lit * map->width * map->height
+    if (map->counts[CODE_NO_NUMBER] > least && map->counts[CODE_NO_NUMBER] > lost)
+        return "NaN and infinity are no numbers: look at what wrote the files";
+    if (code_check_is_noise(&map->check))
+        return "what seems to be lit is mostly noise: give a higher --contrast, expose longer or "
+               "take more --shots";
+    return lit > least
                ? "look at the order of the photographs and at their focus, and take a longer "
                  "--period"
                : "for contrast expose longer, darken the room or give --contrast; where saturated, "

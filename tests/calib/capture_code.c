@@ -196,8 +196,8 @@ static void test_every_pixel_comes_back_without_noise(void **state)
     assert_non_null(strstr(message, "stripes and sines of x disagree"));
 }
 
-/* Any order in which they are still sines; they may then even be where the stripes are. */
-static void test_sines_in_another_order_are_seen(void **state)
+/* The orders in which they are still sines; they may then even be where the stripes are. */
+static void test_sines_that_begin_elsewhere_or_run_the_other_way_are_seen(void **state)
 {
     static const int steps[] = {4, 5, 8, 16};
 
@@ -377,8 +377,9 @@ int main(void)
         cmocka_unit_test(test_the_phase_puts_codes_at_borders_right),
         cmocka_unit_test_setup_teardown(test_every_pixel_comes_back_without_noise,
                                         capture_enter_directory, capture_leave_directory),
-        cmocka_unit_test_setup_teardown(test_sines_in_another_order_are_seen,
-                                        capture_enter_directory, capture_leave_directory),
+        cmocka_unit_test_setup_teardown(
+            test_sines_that_begin_elsewhere_or_run_the_other_way_are_seen, capture_enter_directory,
+            capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_stripes_out_of_focus_are_not_called_dark,
                                         capture_enter_directory, capture_leave_directory),
         cmocka_unit_test_setup_teardown(test_every_pixel_of_written_pictures_comes_back,

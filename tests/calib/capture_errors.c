@@ -272,9 +272,9 @@ static void test_a_pixel_that_is_no_number_is_left_out(void **state)
         settings.paths = photos.paths;
         if (!code_map_read(&settings, &map, message))
             fail_msg("%s", message);
-        assert_int_equal(map.counts[CODE_UNSURE], holes[k] != 0);
+        assert_int_equal(map.counts[CODE_NO_NUMBER], holes[k] != 0);
         assert_int_equal(map.counts[CODE_DECODED], 60 * 48 - (holes[k] != 0));
-        assert_int_equal(map.state[24 * 60 + 30], holes[k] != 0 ? CODE_UNSURE : CODE_DECODED);
+        assert_int_equal(map.state[24 * 60 + 30], holes[k] != 0 ? CODE_NO_NUMBER : CODE_DECODED);
         check_at_most(map.noise, 1e-6);
         code_map_free(&map);
         folder_photos_free(&photos);
