@@ -12,6 +12,7 @@
 #include "capture/folder.h"
 #include "capture/light.h"
 #include "option_values.h"
+#include "plain_text.h"
 #include "short_path.h"
 #include "status.h"
 
@@ -168,9 +169,11 @@ int capture_patterns(const struct capture_options *options, char *message)
         !folder_make("--folder", options->folder, message) ||
         !write_patterns(options, &series, message))
         return STATUS_FAILED;
-    printf("%d patterns of %dx%d px in %s: sines of %d px in %d steps, %d + %d bits of Gray code\n",
-           series_count(&series), series.size_px[0], series.size_px[1], options->folder,
-           series.period_px, series.steps, series_bits(&series, 0), series_bits(&series, 1));
+    printf("%d patterns of %dx%d px in ", series_count(&series), series.size_px[0],
+           series.size_px[1]);
+    plain_text_print(options->folder, stdout);
+    printf(": sines of %d px in %d steps, %d + %d bits of Gray code\n", series.period_px,
+           series.steps, series_bits(&series, 0), series_bits(&series, 1));
     return STATUS_OK;
 }
 

@@ -15,6 +15,7 @@
 #include "option_values.h"
 #include "order.h"
 #include "output_file.h"
+#include "plain_text.h"
 #include "status.h"
 #include "whole_file.h"
 
@@ -260,10 +261,12 @@ static int write_results(const struct decoding *decoding, char *message)
     }
     if (!whole_file_end(&marks, message))
         return STATUS_FAILED;
-    printf("marks: %d in %s, places known to %.2g px (median); left out: %d beyond the screen, %d "
+    printf("marks: %d in ", decoding->marks.count);
+    plain_text_print(options->output, stdout);
+    printf(", places known to %.2g px (median); left out: %d beyond the screen, %d "
            "where too little is decoded, %d where places are not smooth\n",
-           decoding->marks.count, options->output, median_sd_px(&decoding->patches),
-           decoding->beyond, decoding->patches.thin, decoding->patches.rough);
+           median_sd_px(&decoding->patches), decoding->beyond, decoding->patches.thin,
+           decoding->patches.rough);
     return STATUS_OK;
 }
 

@@ -7,6 +7,7 @@
 #include "capture/shown.h"
 #include "interruption.h"
 #include "option_values.h"
+#include "plain_text.h"
 #include "status.h"
 
 struct showing {
@@ -95,7 +96,9 @@ static bool photograph_all(struct showing *showing, char *message)
     }
     if (!folder_write_series(options->folder, &showing->series, message))
         return false;
-    printf("%d photographs in %s\n", count, options->folder);
+    printf("%d photographs in ", count);
+    plain_text_print(options->folder, stdout);
+    putchar('\n');
     return true;
 }
 

@@ -10,6 +10,7 @@
 #include "marks.h"
 #include "option_values.h"
 #include "output_file.h"
+#include "plain_text.h"
 #include "status.h"
 
 /* Places of the screen as somebody would measure them: its middle and two rings round it. */
@@ -145,8 +146,10 @@ int capture_simulate(const struct capture_options *options, char *message)
         status = STATUS_FAILED;
     if (status == STATUS_OK && options->references)
         status = write_references(options, &rig, &camera, message);
-    if (status == STATUS_OK)
-        printf("%d photographs of %dx%d px in %s\n", series_count(&series), width, height,
-               options->folder);
-    return status;
+    if (status != STATUS_OK)
+        return status;
+    printf("%d photographs of %dx%d px in ", series_count(&series), width, height);
+    plain_text_print(options->folder, stdout);
+    putchar('\n');
+    return STATUS_OK;
 }

@@ -8,6 +8,7 @@
 
 #include "option_values.h"
 #include "output_file.h"
+#include "plain_text.h"
 #include "solve/report.h"
 #include "solve/residual_plot.h"
 #include "solve/solve.h"
@@ -93,6 +94,13 @@ static bool write_files(const struct solve_options *options, const struct solve_
     return written;
 }
 
+static void report_file(FILE *report, const char *path)
+{
+    fputs("written: ", report);
+    plain_text_print(path, report);
+    fputc('\n', report);
+}
+
 static bool run(const struct solve_options *options, const struct marks *marks, char *message)
 {
     struct cupola_rig start;
@@ -107,7 +115,7 @@ static bool run(const struct solve_options *options, const struct marks *marks, 
         FILE *report = to_standard_output(options) ? stderr : stdout;
         report_write(report, &request, &result, options->verbose);
         if (options->output)
-            fprintf(report, "written: %s\n", options->output);
+            report_file(report, options->output);
         if (to_standard_output(options))
             solve_json_write(stdout, &request, &result);
     }
