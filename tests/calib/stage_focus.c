@@ -11,6 +11,7 @@
 
 enum { ACROSS = 3, UP = 3 };
 
+static const char short_notice[] = "arrows: marks";
 static const char long_notice[] =
     "15 marks: 0.4 px rms, 0.8 px at worst; the projector stands at 0.010, -0.280, 0.060 m and is "
     "turned by 1.2, 17.5 and -0.8 degrees; left out as wrong: up left 30, down right 30, pole";
@@ -70,7 +71,7 @@ static long differing(const struct stage_fixture *fixture, const struct focus *f
 }
 
 /* How much of what is worked with panels hide. */
-static long hidden(struct stage_fixture *fixture, int width, int height)
+static long hidden(struct stage_fixture *fixture, int width, int height, const char *notice)
 {
     unsigned char *bare, *with;
     struct focus focus;
@@ -82,7 +83,7 @@ static long hidden(struct stage_fixture *fixture, int width, int height)
     fixture->tool.notice[0] = 0;
     bare = stage_fixture_frame(fixture, width, height);
     fixture->tool.shows_legend = true;
-    strcpy(fixture->tool.notice, long_notice);
+    strcpy(fixture->tool.notice, notice);
     with = stage_fixture_frame(fixture, width, height);
     count = differing(fixture, &focus, bare, with, width, height);
     free(bare);
@@ -121,7 +122,7 @@ static void check_window(int width, int height, enum preview preview)
     for (int k = 0; k < ACROSS * UP; k++) {
         fixture.tool.cross_px[0] = (k % ACROSS + 0.5) * 1024 / ACROSS;
         fixture.tool.cross_px[1] = (k / ACROSS + 0.5) * 768 / UP;
-        if (hidden(&fixture, width, height) > 0)
+        if (hidden(&fixture, width, height, long_notice) > 0)
             fail_msg("%dx%d: the cross-hair at %g, %g px is hidden", width, height,
                      fixture.tool.cross_px[0], fixture.tool.cross_px[1]);
         would += k / ACROSS == UP - 1 && hidden_unknown(&fixture, width, height) > 0;
@@ -138,6 +139,49 @@ static void no_panel_hides_the_cross_hair_or_its_name(void **state)
     check_window(640, 480, PREVIEW_NONE);
 }
 
+static void make_dot(struct stage_fixture *fixture, enum group group, double size_deg)
+{
+    struct cupola_rig rig;
+
+    assert_int_equal(cupola_rig_preset("visionstation", &rig, NULL), CUPOLA_OK);
+    stage_fixture_make(fixture, &rig);
+    fixture->tool.shows_labels = true;
+    fixture->tool.pattern = PATTERN_DOT;
+    fixture->tool.group = group;
+    fixture->tool.dot_size_rad = size_deg * rad_per_deg;
+}
+
+/* One lies over the other, in either order: above the one a message may hide the other. */
+static void nor_the_dot_over_its_label(void **state)
+{
+    struct stage_fixture fixture;
+
+    (void)state;
+    make_dot(&fixture, GROUP_DOT, 4);
+    for (int deg = -54; deg <= -42; deg++) {
+        fixture.tool.dot_pitch_rad = deg * rad_per_deg;
+        if (hidden(&fixture, 640, 480, long_notice) > 0)
+            fail_msg("the dot at pitch %d or its label is hidden", deg);
+    }
+    stage_fixture_release(&fixture);
+}
+
+static void nor_the_cross_hair_over_the_dot(void **state)
+{
+    struct stage_fixture fixture;
+
+    (void)state;
+    make_dot(&fixture, GROUP_MARKS, 3);
+    fixture.tool.dot_pitch_rad = -64 * rad_per_deg;
+    fixture.tool.cross_px[0] = 512;
+    for (int y_px = 65; y_px <= 115; y_px += 10) {
+        fixture.tool.cross_px[1] = y_px;
+        if (hidden(&fixture, 1024, 768, short_notice) > 0)
+            fail_msg("the dot or the cross-hair at 512, %d px is hidden", y_px);
+    }
+    stage_fixture_release(&fixture);
+}
+
 static void nor_the_dot_nor_where_the_top_is(void **state)
 {
     struct stage_fixture fixture;
@@ -146,13 +190,13 @@ static void nor_the_dot_nor_where_the_top_is(void **state)
     make(&fixture);
     fixture.tool.group = GROUP_CIRCLE;
     fixture.tool.pattern = PATTERN_RIM;
-    assert_int_equal(hidden(&fixture, 1024, 768), 0);
+    assert_int_equal(hidden(&fixture, 1024, 768, long_notice), 0);
     fixture.tool.pattern = PATTERN_DOT;
     fixture.tool.group = GROUP_DOT;
     fixture.tool.dot_yaw_rad = 0.6;
     fixture.tool.dot_pitch_rad = 0.8;
     fixture.tool.dot_size_rad = 0.1;
-    assert_int_equal(hidden(&fixture, 1024, 768), 0);
+    assert_int_equal(hidden(&fixture, 1024, 768, long_notice), 0);
     stage_fixture_release(&fixture);
 }
 
@@ -232,6 +276,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(no_panel_hides_the_cross_hair_or_its_name),
+        cmocka_unit_test(nor_the_dot_over_its_label),
+        cmocka_unit_test(nor_the_cross_hair_over_the_dot),
         cmocka_unit_test(nor_the_dot_nor_where_the_top_is),
         cmocka_unit_test(where_the_top_lights_no_dome_no_other_label_matters),
         cmocka_unit_test(on_the_dome_the_cross_hair_lies_over_the_panels),
